@@ -1,0 +1,43 @@
+// Index types that cannot be mixed up: a VertexId is not a TriangleId.
+#ifndef TAUTLINE_BASE_INDEX_H_
+#define TAUTLINE_BASE_INDEX_H_
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace tautline {
+
+/// A position in an array of things of kind `Tag`. The default value is "none".
+template <class Tag>
+class Index {
+ public:
+  constexpr Index() = default;
+  constexpr explicit Index(std::int32_t value) : value_(value) {}
+  constexpr explicit Index(std::size_t value) : value_(static_cast<std::int32_t>(value)) {}
+
+  constexpr std::int32_t value() const { return value_; }
+  constexpr std::size_t index() const { return static_cast<std::size_t>(value_); }
+  constexpr bool valid() const { return value_ >= 0; }
+
+  friend constexpr auto operator<=>(Index, Index) = default;
+
+ private:
+  std::int32_t value_ = -1;
+};
+
+using VertexId = Index<struct VertexTag>;      ///< A vertex of a triangulation.
+using TriangleId = Index<struct TriangleTag>;  ///< A triangle of a triangulation.
+using CornerId = Index<struct CornerTag>;      ///< A reflex corner of the free space: a vertex with one free sector.
+using EdgeId = Index<struct EdgeTag>;          ///< A directed edge of the reduced visibility graph.
+using ObstacleId = Index<struct ObstacleTag>;  ///< An obstacle of a free space, that is, a letter of its words.
+
+}  // namespace tautline
+
+template <class Tag>
+struct std::hash<tautline::Index<Tag>> {
+  std::size_t operator()(tautline::Index<Tag> id) const noexcept { return std::hash<std::int32_t>{}(id.value()); }
+};
+
+#endif  // TAUTLINE_BASE_INDEX_H_

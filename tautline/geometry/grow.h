@@ -1,0 +1,23 @@
+// Growth of polygons by a distance, as pieces whose union is the grown polygon.
+#ifndef TAUTLINE_GEOMETRY_GROW_H_
+#define TAUTLINE_GEOMETRY_GROW_H_
+
+#include <span>
+#include <vector>
+
+#include "tautline/geometry/polygon.h"
+
+namespace tautline {
+
+/// Counter-clockwise rings that, united with the ground on the left of `ring`, contain every point within `radius`
+/// metres of that ground and no point farther than radius * (1 + arc_error): a rectangle along each edge and, at each
+/// convex corner, a fan whose outer polyline circumscribes the arc. Requires radius > 0 and arc_error in (0, 1].
+/// O(n) rings.
+std::vector<Ring> GrowthPieces(std::span<const Point> ring, double radius, double arc_error);
+
+/// A regular polygon around the circle, nowhere more than radius * arc_error beyond it. Counter-clockwise.
+Ring CircumscribedPolygon(Point centre, double radius, double arc_error);
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_GEOMETRY_GROW_H_

@@ -1,0 +1,37 @@
+// Points of the plane: x to the right, y up, metres.
+#ifndef TAUTLINE_GEOMETRY_POINT_H_
+#define TAUTLINE_GEOMETRY_POINT_H_
+
+#include <cmath>
+#include <compare>
+
+namespace tautline {
+
+/// A point, or the vector to it. Ordered by x, then y.
+struct Point {
+  double x = 0;
+  double y = 0;
+
+  friend constexpr auto operator<=>(const Point&, const Point&) = default;
+};
+
+constexpr Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+constexpr Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Point operator*(double s, Point a) { return {s * a.x, s * a.y}; }
+
+constexpr double Dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
+
+/// Positive when b is to the left of a. For decisions use Orientation (predicates.h), which is exact.
+constexpr double Cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+
+inline double Norm(Point a) { return std::hypot(a.x, a.y); }
+inline double Distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+/// The point at fraction t of the way from a to b.
+constexpr Point Lerp(Point a, Point b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
+
+inline bool IsFinite(Point a) { return std::isfinite(a.x) && std::isfinite(a.y); }
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_GEOMETRY_POINT_H_

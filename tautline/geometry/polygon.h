@@ -1,0 +1,76 @@
+// Rings, polylines and polygons with holes as plain values.
+#ifndef TAUTLINE_GEOMETRY_POLYGON_H_
+#define TAUTLINE_GEOMETRY_POLYGON_H_
+
+#include <span>
+#include <vector>
+
+#include "tautline/geometry/point.h"
+
+namespace tautline {
+
+/// A closed polygonal curve; the last point is joined to the first and not repeated.
+using Ring = std::vector<Point>;
+
+/// An open polygonal curve.
+using Polyline = std::vector<Point>;
+
+/// A region bounded by `outer` without the regions bounded by `holes`. Orientations are free; operations that need
+/// one say so.
+struct PolygonWithHoles {
+  Ring outer;
+  std::vector<Ring> holes;
+
+  friend bool operator==(const PolygonWithHoles&, const PolygonWithHoles&) = default;
+};
+
+/// An axis-aligned box, metres; empty (low > high) until something is added.
+struct Box {
+  Point low{1e300, 1e300};
+  Point high{-1e300, -1e300};
+
+  void Add(Point p);
+  bool empty() const { return low.x > high.x; }
+  Point size() const { return high - low; }
+  Point centre() const { return 0.5 * (low + high); }
+};
+
+Box BoundingBox(std::span<const Point> points);
+
+/// The area of the ring in square metres: positive when it runs counter-clockwise. Summed about the first point, so
+/// that far-away rings keep their digits.
+double SignedArea(std::span<const Point> ring);
+
+/// The length of an open polyline, metres.
+double Length(std::span<const Point> polyline);
+
+/// How often the ring winds around p, counter-clockwise positive. Exact; `on_boundary` says that p lies on the ring,
+/// where the number has no meaning. O(n).
+struct Winding {
+  int number = 0;
+  bool on_boundary = false;
+};
+Winding WindingNumber(std::span<const Point> ring, Point p);
+
+/// Whether p is inside or on the boundary of the ring (non-zero winding).
+bool ContainsPoint(std::span<const Point> ring, Point p);
+
+/// Whether p is strictly inside the polygon and in none of its holes.
+bool StrictlyInside(const PolygonWithHoles& polygon, Point p);
+
+/// A point strictly inside the polygon: the centroid when it is inside, otherwise the middle of the longest free
+/// interval on the horizontal line through the middle between two neighbouring vertex heights. Requires positive area.
+Point InteriorPoint(const PolygonWithHoles& polygon);
+
+/// The distance from p to the closed segment ab, metres.
+double DistanceToSegment(Point p, Point a, Point b);
+
+/// The point of the closed segment ab that is nearest to p.
+Point NearestOnSegment(Point p, Point a, Point b);
+
+/// The ring without repeated neighbours and without vertices that are exactly collinear with theirs.
+Ring DropCollinear(std::span<const Point> ring);
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_GEOMETRY_POLYGON_H_

@@ -1,0 +1,322 @@
+#include "tautline/geometry/triangulation_builder.h"
+
+#include <algorithm>
+
+#include "tautline/base/check.h"
+#include "tautline/geometry/hilbert_order.h"
+#include "tautline/geometry/polygon.h"
+#include "tautline/geometry/predicates.h"
+
+namespace tautline {
+
+TriangulationBuilder::TriangulationBuilder(std::span<const Point> points, Triangulation& result) : mesh_(result) {
+  AddFrame(points);
+}
+
+void TriangulationBuilder::AddFrame(std::span<const Point> points) {
+  Box box = BoundingBox(points);
+  if (box.empty()) box.Add({0, 0});
+  const double margin = 2 * std::max({box.size().x, box.size().y, 1e-3 * Norm(box.low), 1.0});
+  const Point low = box.low - Point{margin, margin}, high = box.high + Point{margin, margin};
+  mesh_.frame_low_ = low;
+  mesh_.frame_high_ = high;
+  mesh_.points_.assign(points.begin(), points.end());
+  mesh_.points_.insert(mesh_.points_.end(), {low, {high.x, low.y}, high, {low.x, high.y}});
+  mesh_.triangle_at_.resize(mesh_.points_.size());
+  mesh_.triangles_.reserve(2 * mesh_.points_.size());
+  const VertexId a(points.size()), b(points.size() + 1), c(points.size() + 2), d(points.size() + 3);
+  const TriangleId lower = AddTriangle(a, b, c), upper = AddTriangle(a, c, d);
+  At(lower).neighbours[1] = upper;
+  At(upper).neighbours[2] = lower;
+  last_ = lower;
+}
+
+TriangleId TriangulationBuilder::AddTriangle(VertexId a, VertexId b, VertexId c) {
+  const TriangleId id(mesh_.triangles_.size());
+  mesh_.triangles_.push_back({{a, b, c}, {}, {}});
+  for (const VertexId vertex : {a, b, c}) mesh_.triangle_at_[vertex.index()] = id;
+  return id;
+}
+
+/// Makes `neighbour`, which used to border on `was` there, border on side `index` of `triangle`.
+void TriangulationBuilder::Link(TriangleId triangle, int index, TriangleId neighbour, TriangleId was) {
+  At(triangle).neighbours[static_cast<std::size_t>(index)] = neighbour;
+  if (!neighbour.valid()) return;
+  At(neighbour).neighbours[static_cast<std::size_t>(At(neighbour).IndexOf(was))] = triangle;
+}
+
+void TriangulationBuilder::InsertPoints() {
+  const std::span<const Point> inputs(mesh_.points_.data(), mesh_.points_.size() - 4);
+  for (const std::int32_t position : HilbertOrder(inputs)) InsertPoint(VertexId(position));
+}
+
+void TriangulationBuilder::InsertPoint(VertexId vertex) {
+  const Point p = PointOf(vertex);
+  const TriangleId triangle = mesh_.WalkTo(p, last_);
+  int on_edge = -1;
+  for (int i = 0; i < 3; ++i) {
+    TAUTLINE_CHECK(mesh_.corner(triangle, i) != p);
+    if (Orientation(mesh_.corner(triangle, Next(i)), mesh_.corner(triangle, Previous(i)), p) == 0) on_edge = i;
+  }
+  if (on_edge < 0) {
+    SplitTriangle(triangle, vertex);
+  } else {
+    SplitEdge(triangle, on_edge, vertex);
+  }
+  Legalise(vertex);
+  last_ = mesh_.triangle_at_[vertex.index()];
+}
+
+void TriangulationBuilder::SplitTriangle(TriangleId triangle, VertexId vertex) {
+  const Triangle old = At(triangle);
+  const auto [a, b, c] = old.vertices;
+  // `triangle` becomes (v, b, c); (v, c, a) and (v, a, b) are new.
+  const TriangleId second = AddTriangle(vertex, c, a), third = AddTriangle(vertex, a, b);
+  At(triangle).vertices = {vertex, b, c};
+  At(triangle).neighbours = {old.neighbours[0], second, third};
+  Link(second, 0, old.neighbours[1], triangle);
+  Link(third, 0, old.neighbours[2], triangle);
+  At(second).neighbours = {old.neighbours[1], third, triangle};
+  At(third).neighbours = {old.neighbours[2], triangle, second};
+  mesh_.triangle_at_[vertex.index()] = triangle;
+  for (const TriangleId id : {triangle, second, third}) suspicious_.emplace_back(id, 0);
+}
+
+void TriangulationBuilder::SplitEdge(TriangleId triangle, int index, VertexId vertex) {
+  // Rotate names so that the split edge runs from b to c in (a, b, c); d is across.
+  const Triangle old = At(triangle);
+  const auto k = static_cast<std::size_t>(index);
+  const VertexId a = old.vertices[k], b = old.vertices[(k + 1) % 3], c = old.vertices[(k + 2) % 3];
+  const TriangleId ca = old.neighbours[(k + 1) % 3], ab = old.neighbours[(k + 2) % 3];
+  const TriangleId across = old.neighbours[k];
+  TAUTLINE_CHECK(across.valid());
+  const Triangle other = At(across);
+  const auto m = static_cast<std::size_t>(other.IndexOf(triangle));
+  const VertexId d = other.vertices[m];
+  const TriangleId bd = other.neighbours[(m + 1) % 3], dc = other.neighbours[(m + 2) % 3];
+  // (v, a, b) and (v, d, c) reuse the two; (v, c, a) and (v, b, d) are new.
+  const TriangleId vca = AddTriangle(vertex, c, a), vbd = AddTriangle(vertex, b, d);
+  At(triangle).vertices = {vertex, a, b};
+  At(across).vertices = {vertex, d, c};
+  At(vca).neighbours = {TriangleId(), triangle, across};
+  At(triangle).neighbours = {ab, vbd, vca};
+  At(vbd).neighbours = {TriangleId(), across, triangle};
+  At(across).neighbours = {dc, vca, vbd};
+  Link(vca, 0, ca, triangle);
+  Link(vbd, 0, bd, across);
+  for (const TriangleId id : {triangle, vca, across, vbd}) {
+    for (const VertexId corner : At(id).vertices) mesh_.triangle_at_[corner.index()] = id;
+    suspicious_.emplace_back(id, 0);
+  }
+}
+
+/// Replaces the edge opposite to vertices[index] by the other diagonal of its quadrilateral. Afterwards `triangle` is
+/// (p, q, d) and its former neighbour (p, d, r), where (p, q, r) was the triangle and d the vertex across.
+void TriangulationBuilder::Flip(TriangleId triangle, int index) {
+  const auto k = static_cast<std::size_t>(index);
+  const TriangleId across = At(triangle).neighbours[k];
+  const Triangle here = At(triangle), there = At(across);
+  const auto m = static_cast<std::size_t>(there.IndexOf(triangle));
+  const VertexId p = here.vertices[k], q = here.vertices[(k + 1) % 3], r = here.vertices[(k + 2) % 3];
+  const VertexId d = there.vertices[m];
+  const TriangleId rp = here.neighbours[(k + 1) % 3], pq = here.neighbours[(k + 2) % 3];
+  // `there` is (d, r, q): across its vertex r lies the edge q-d, across q the edge d-r.
+  const TriangleId qd = there.neighbours[(m + 1) % 3], dr = there.neighbours[(m + 2) % 3];
+  At(triangle) = {{p, q, d}, {qd, across, pq}, {there.constrained[(m + 1) % 3], false, here.constrained[(k + 2) % 3]}};
+  At(across) = {{p, d, r}, {dr, rp, triangle}, {there.constrained[(m + 2) % 3], here.constrained[(k + 1) % 3], false}};
+  if (qd.valid()) At(qd).neighbours[static_cast<std::size_t>(At(qd).IndexOf(across))] = triangle;
+  if (rp.valid()) At(rp).neighbours[static_cast<std::size_t>(At(rp).IndexOf(triangle))] = across;
+  mesh_.triangle_at_[p.index()] = triangle;
+  mesh_.triangle_at_[q.index()] = triangle;
+  mesh_.triangle_at_[d.index()] = across;
+  mesh_.triangle_at_[r.index()] = across;
+}
+
+bool TriangulationBuilder::IsIllegal(TriangleId triangle, int index) {
+  const Triangle& here = At(triangle);
+  const TriangleId across = here.neighbours[static_cast<std::size_t>(index)];
+  if (!across.valid() || here.constrained[static_cast<std::size_t>(index)]) return false;
+  const VertexId opposite = At(across).vertices[static_cast<std::size_t>(At(across).IndexOf(triangle))];
+  return InCircle(mesh_.corner(triangle, 0), mesh_.corner(triangle, 1), mesh_.corner(triangle, 2),
+                  PointOf(opposite)) > 0;
+}
+
+/// Flips until all edges opposite to `vertex` are Delaunay. The suspicious sides are those opposite to it.
+void TriangulationBuilder::Legalise(VertexId vertex) {
+  while (!suspicious_.empty()) {
+    const auto [triangle, index] = suspicious_.back();
+    suspicious_.pop_back();
+    if (!IsIllegal(triangle, index)) continue;
+    const TriangleId across = At(triangle).neighbours[static_cast<std::size_t>(index)];
+    Flip(triangle, index);
+    suspicious_.emplace_back(triangle, At(triangle).IndexOf(vertex));
+    suspicious_.emplace_back(across, At(across).IndexOf(vertex));
+  }
+}
+
+void TriangulationBuilder::InsertEdges(std::span<const InputEdge> edges) {
+  mesh_.chain_begin_.assign(1, 0);
+  for (const auto& [from, to] : edges) {
+    VertexId at(from);
+    mesh_.chain_vertices_.push_back(at);
+    while (at != VertexId(to)) {
+      const VertexId next = FirstVertexAlong(at, VertexId(to));
+      InsertEdge(at, next);
+      mesh_.chain_vertices_.push_back(next);
+      at = next;
+    }
+    mesh_.chain_begin_.push_back(mesh_.chain_vertices_.size());
+  }
+}
+
+/// Visits (triangle, position of `vertex` in it) around the vertex until the visitor says true: counter-clockwise all
+/// around, or, at a corner of the frame, to the frame and then from the start the other way.
+template <class Visit>
+void TriangulationBuilder::ForEachInFan(VertexId vertex, Visit visit) {
+  const TriangleId first = mesh_.triangle_at_[vertex.index()];
+  TriangleId at = first;
+  do {
+    const int i = At(at).IndexOf(vertex);
+    if (visit(at, i)) return;
+    at = At(at).neighbours[static_cast<std::size_t>(Next(i))];
+  } while (at.valid() && at != first);
+  if (at.valid()) return;
+  at = first;
+  while ((at = At(at).neighbours[static_cast<std::size_t>(Previous(At(at).IndexOf(vertex)))]).valid()) {
+    if (visit(at, At(at).IndexOf(vertex))) return;
+  }
+}
+
+TriangulationBuilder::Side TriangulationBuilder::FindEdge(VertexId from, VertexId to) {
+  Side side{{}, 0};
+  ForEachInFan(from, [&](TriangleId at, int i) {
+    if (At(at).vertices[static_cast<std::size_t>(Next(i))] != to) return false;
+    side = {at, Previous(i)};
+    return true;
+  });
+  return side;
+}
+
+bool TriangulationBuilder::MarkIfPresent(VertexId from, VertexId to) {
+  const Side side = FindEdge(from, to);
+  if (!side.triangle.valid()) return false;
+  const auto index = static_cast<std::size_t>(side.index);
+  At(side.triangle).constrained[index] = true;
+  Triangle& across = At(At(side.triangle).neighbours[index]);
+  across.constrained[static_cast<std::size_t>(across.IndexOf(side.triangle))] = true;
+  return true;
+}
+
+/// The side opposite to `from` through which the open segment leaves the fan of `from`. Requires that no edge of the
+/// fan lies along the segment.
+TriangulationBuilder::Side TriangulationBuilder::FirstCrossing(VertexId from, VertexId to) {
+  Side side{{}, 0};
+  const Point p = PointOf(from), q = PointOf(to);
+  ForEachInFan(from, [&](TriangleId at, int i) {
+    if (Orientation(p, q, mesh_.corner(at, Next(i))) >= 0 || Orientation(p, q, mesh_.corner(at, Previous(i))) <= 0) {
+      return false;
+    }
+    side = {at, i};
+    return true;
+  });
+  TAUTLINE_CHECK(side.triangle.valid());
+  return side;
+}
+
+/// The first vertex on the segment after `from`: `to`, or one that the segment passes through.
+VertexId TriangulationBuilder::FirstVertexAlong(VertexId from, VertexId to) {
+  const Point p = PointOf(from), q = PointOf(to);
+  VertexId along;
+  ForEachInFan(from, [&](TriangleId at, int i) {
+    const VertexId next = At(at).vertices[static_cast<std::size_t>(Next(i))];
+    const bool ahead = Orientation(p, q, PointOf(next)) == 0 && Dot(q - p, PointOf(next) - p) > 0;
+    if (ahead) along = next;
+    return ahead;
+  });
+  if (along.valid()) return along;
+  Side side = FirstCrossing(from, to);
+  for (;;) {
+    const TriangleId across = At(side.triangle).neighbours[static_cast<std::size_t>(side.index)];
+    const int i = At(across).IndexOf(side.triangle);
+    const VertexId apex = At(across).vertices[static_cast<std::size_t>(i)];
+    const int turn = Orientation(p, q, PointOf(apex));
+    if (apex == to || turn == 0) return apex;
+    // The segment leaves through the side between the apex and the vertex on the other side of the segment.
+    side = {across, turn > 0 ? Next(i) : Previous(i)};
+  }
+}
+
+/// The edges that cross the open segment, as vertex pairs (right of the segment, left of it), from `from` on.
+/// Requires that no vertex lies on the open segment.
+void TriangulationBuilder::CollectCrossings(VertexId from, VertexId to, std::deque<VertexPair>& crossings) {
+  Side side = FirstCrossing(from, to);
+  for (;;) {
+    const Triangle& here = At(side.triangle);
+    const auto index = static_cast<std::size_t>(side.index);
+    TAUTLINE_CHECK(!here.constrained[index]);
+    crossings.emplace_back(here.vertices[(index + 1) % 3], here.vertices[(index + 2) % 3]);
+    const TriangleId across = here.neighbours[index];
+    const int i = At(across).IndexOf(side.triangle);
+    const VertexId apex = At(across).vertices[static_cast<std::size_t>(i)];
+    if (apex == to) return;
+    side = {across, Orientation(PointOf(from), PointOf(to), PointOf(apex)) > 0 ? Next(i) : Previous(i)};
+  }
+}
+
+std::vector<TriangulationBuilder::VertexPair> TriangulationBuilder::FlipAway(VertexId from, VertexId to,
+                                                                             std::deque<VertexPair> crossings) {
+  std::vector<VertexPair> created;
+  const Point p = PointOf(from), q = PointOf(to);
+  while (!crossings.empty()) {
+    const auto [right, left] = crossings.front();
+    crossings.pop_front();
+    const Side side = FindEdge(right, left);
+    const Triangle& here = At(side.triangle);
+    const VertexId apex = here.vertices[static_cast<std::size_t>(side.index)];
+    const TriangleId across = here.neighbours[static_cast<std::size_t>(side.index)];
+    const VertexId opposite = At(across).vertices[static_cast<std::size_t>(At(across).IndexOf(side.triangle))];
+    const Point a = PointOf(apex), b = PointOf(opposite);
+    if (Orientation(a, b, PointOf(right)) * Orientation(a, b, PointOf(left)) >= 0) {
+      crossings.emplace_back(right, left);  // Not strictly convex: another flip must come first.
+      continue;
+    }
+    Flip(side.triangle, side.index);
+    const int turn_a = Orientation(p, q, a), turn_b = Orientation(p, q, b);
+    if (turn_a * turn_b < 0) {
+      crossings.push_back(turn_a < 0 ? VertexPair(apex, opposite) : VertexPair(opposite, apex));
+    } else {
+      created.emplace_back(apex, opposite);
+    }
+  }
+  return created;
+}
+
+void TriangulationBuilder::RestoreDelaunay(const std::vector<VertexPair>& edges) {
+  std::vector<VertexPair> pending = edges;
+  while (!pending.empty()) {
+    const auto [a, b] = pending.back();
+    pending.pop_back();
+    const Side side = FindEdge(a, b);
+    if (!side.triangle.valid() || !IsIllegal(side.triangle, side.index)) continue;
+    const TriangleId across = At(side.triangle).neighbours[static_cast<std::size_t>(side.index)];
+    const VertexId apex = At(side.triangle).vertices[static_cast<std::size_t>(side.index)];
+    const VertexId opposite = At(across).vertices[static_cast<std::size_t>(At(across).IndexOf(side.triangle))];
+    Flip(side.triangle, side.index);
+    for (const VertexId end : {apex, opposite}) {
+      pending.emplace_back(end, a);
+      pending.emplace_back(end, b);
+    }
+  }
+}
+
+/// Forces the edge in. Requires that no vertex lies strictly between its ends.
+void TriangulationBuilder::InsertEdge(VertexId from, VertexId to) {
+  if (MarkIfPresent(from, to)) return;
+  std::deque<VertexPair> crossings;
+  CollectCrossings(from, to, crossings);
+  const std::vector<VertexPair> created = FlipAway(from, to, std::move(crossings));
+  TAUTLINE_CHECK(MarkIfPresent(from, to));
+  RestoreDelaunay(created);
+}
+
+}  // namespace tautline

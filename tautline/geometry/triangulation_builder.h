@@ -1,0 +1,62 @@
+// The incremental construction behind Triangulation::Build. Internal to the geometry folder.
+#ifndef TAUTLINE_GEOMETRY_TRIANGULATION_BUILDER_H_
+#define TAUTLINE_GEOMETRY_TRIANGULATION_BUILDER_H_
+
+#include <deque>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "tautline/geometry/triangulation.h"
+
+namespace tautline {
+
+/// Inserts points along a Hilbert curve, legalising by flips, then forces the edges in by flips.
+class TriangulationBuilder {
+ public:
+  TriangulationBuilder(std::span<const Point> points, Triangulation& result);
+
+  void InsertPoints();
+  void InsertEdges(std::span<const InputEdge> edges);
+
+ private:
+  /// An edge as the triangle on its left and the position opposite to it there.
+  struct Side {
+    TriangleId triangle;
+    int index;
+  };
+  using VertexPair = std::pair<VertexId, VertexId>;
+
+  Triangle& At(TriangleId id) { return mesh_.triangles_[id.index()]; }
+  Point PointOf(VertexId id) const { return mesh_.points_[id.index()]; }
+
+  void AddFrame(std::span<const Point> points);
+  TriangleId AddTriangle(VertexId a, VertexId b, VertexId c);
+  void Link(TriangleId triangle, int index, TriangleId neighbour, TriangleId was);
+  void InsertPoint(VertexId vertex);
+  void SplitTriangle(TriangleId triangle, VertexId vertex);
+  void SplitEdge(TriangleId triangle, int index, VertexId vertex);
+  void Flip(TriangleId triangle, int index);
+  void Legalise(VertexId vertex);
+  bool IsIllegal(TriangleId triangle, int index);
+
+  void InsertEdge(VertexId from, VertexId to);
+  bool MarkIfPresent(VertexId from, VertexId to);
+  VertexId FirstVertexAlong(VertexId from, VertexId to);
+  void CollectCrossings(VertexId from, VertexId to, std::deque<VertexPair>& crossings);
+  std::vector<VertexPair> FlipAway(VertexId from, VertexId to, std::deque<VertexPair> crossings);
+  void RestoreDelaunay(const std::vector<VertexPair>& edges);
+  Side FindEdge(VertexId from, VertexId to);
+  Side FirstCrossing(VertexId from, VertexId to);
+
+  template <class Visit>
+  void ForEachInFan(VertexId vertex, Visit visit);
+
+  Triangulation& mesh_;
+  std::vector<std::pair<TriangleId, int>> suspicious_;
+  TriangleId last_;
+};
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_GEOMETRY_TRIANGULATION_BUILDER_H_

@@ -1,0 +1,34 @@
+// The homotopy classes between two points, shortest first.
+#ifndef TAUTLINE_HOMOTOPY_CLASSES_H_
+#define TAUTLINE_HOMOTOPY_CLASSES_H_
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "tautline/homotopy/taut_path.h"
+#include "tautline/homotopy/taut_space.h"
+
+namespace tautline {
+
+struct ClassOptions {
+  std::optional<double> max_length;        ///< Metres; only classes whose taut path is no longer.
+  std::optional<std::int64_t> max_count;   ///< Only the so many shortest.
+  std::int64_t budget = 5'000'000;         ///< Expanded search states after which the list ends incomplete.
+};
+
+struct ClassList {
+  std::vector<TautPath> classes;  ///< Shortest first; equal lengths by word.
+  bool complete = false;          ///< No class up to max_length is missing.
+  bool budget_exceeded = false;
+};
+
+/// Enumerates taut walks from `from` to `to`, each the one shortest path of its class, in order of length. Finite and
+/// complete when max_length is given and the budget suffices. Empty and complete when the points lie in different
+/// components. Requires both points in the free space of `space`. One backward Dijkstra over the directed edges of
+/// the reduced visibility graph, then O(log) per state; every expanded state leads to a listed class.
+ClassList FindClasses(const TautSpace& space, Point from, Point to, const ClassOptions& options = {});
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_HOMOTOPY_CLASSES_H_

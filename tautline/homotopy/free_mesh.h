@@ -1,0 +1,78 @@
+// The triangulated free space. It has no vertex in its interior, so the dual of its universal cover is a tree.
+#ifndef TAUTLINE_HOMOTOPY_FREE_MESH_H_
+#define TAUTLINE_HOMOTOPY_FREE_MESH_H_
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "tautline/geometry/box_index.h"
+#include "tautline/geometry/triangulation.h"
+#include "tautline/scene/free_space.h"
+
+namespace tautline {
+
+/// A point of the closed free space with a free triangle that holds it.
+struct Place {
+  Point point;
+  TriangleId triangle;
+};
+
+/// The constrained Delaunay triangulation of a free space; each triangle is free or blocked.
+class FreeMesh {
+ public:
+  /// O(n log n) for n boundary vertices.
+  explicit FreeMesh(const FreeSpace& space);
+
+  const Triangulation& triangulation() const { return mesh_; }
+  Point point(VertexId id) const { return mesh_.point(id); }
+  const Triangle& triangle(TriangleId id) const { return mesh_.triangle(id); }
+
+  bool IsFree(TriangleId id) const { return id.valid() && component_[id.index()] >= 0; }
+
+  /// The connected component of a free triangle, a number from 0 on.
+  std::int32_t ComponentOf(TriangleId id) const { return component_[id.index()]; }
+
+  /// Where p is in the closed free space. A point up to `tolerance` metres outside is moved onto the boundary.
+  /// Nothing when p is farther outside. O(1) expected.
+  std::optional<Place> Locate(Point p, double tolerance) const;
+
+  /// The boundary vertices within `tolerance` of the segment ab, in order from a to b. O(1) expected for each.
+  std::vector<VertexId> VerticesNear(Point a, Point b, double tolerance) const;
+
+  /// The triangle on the left of the edge from one vertex to another. Requires that the mesh has that edge.
+  TriangleId LeftOf(VertexId from, VertexId to) const;
+
+  /// Calls visit(triangle, position of the vertex in it) for every free triangle at a vertex.
+  template <class Visit>
+  void ForEachFreeAround(VertexId vertex, Visit visit) const {
+    const TriangleId first = mesh_.TriangleAt(vertex);
+    TriangleId at = first;
+    do {
+      const int i = mesh_.triangle(at).IndexOf(vertex);
+      if (IsFree(at)) visit(at, i);
+      at = mesh_.triangle(at).neighbours[static_cast<std::size_t>(Next(i))];
+    } while (at != first);
+  }
+
+ private:
+  struct BoundaryEdge {
+    TriangleId triangle;  ///< The free triangle on its left.
+    int index;            ///< The vertex opposite to the edge there.
+  };
+
+  void MarkFree(const std::vector<InputEdge>& edges);
+  void IndexBoundary();
+  std::optional<Place> OnBoundaryOfBlocked(TriangleId id, Point p) const;
+  Place MoveOnto(const BoundaryEdge& edge, Point p, double tolerance) const;
+  bool InClosedTriangle(TriangleId id, Point p) const;
+
+  Triangulation mesh_;
+  std::vector<std::int32_t> component_;
+  std::vector<BoundaryEdge> boundary_;
+  std::optional<BoxIndex> boundary_index_;
+};
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_HOMOTOPY_FREE_MESH_H_

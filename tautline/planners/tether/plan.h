@@ -1,0 +1,68 @@
+// The shortest motion of one tethered robot that its tether allows.
+#ifndef TAUTLINE_PLANNERS_TETHER_PLAN_H_
+#define TAUTLINE_PLANNERS_TETHER_PLAN_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tautline/base/error.h"
+#include "tautline/homotopy/taut_path.h"
+#include "tautline/scene/scene.h"
+
+namespace tautline {
+
+/// How a search ended. kInfeasible is a proof: a finite search was exhausted.
+enum class PlanStatus { kSolved, kInfeasible, kBudgetExceeded };
+
+/// Why there is no plan.
+enum class PlanObstruction {
+  kNone,
+  kStartBlocked,      ///< The robot stands inside an obstacle or its clearance.
+  kGoalBlocked,       ///< The goal lies inside an obstacle or its clearance.
+  kGoalUnreachable,   ///< Goal and robot lie in different components of the free space.
+  kLaidCableBlocked,  ///< The cable as laid crosses an obstacle.
+  kLaidCableTooLong,  ///< The cable as laid, pulled tight, is longer than the tether.
+  kTetherTooShort,    ///< Every class of the goal needs a longer tether.
+};
+
+/// The slug of formats.md: "goal_blocked", ...; "" for kNone.
+std::string ToString(PlanObstruction obstruction);
+
+/// A motion and the tether at its end.
+struct Motion {
+  TautPath path;    ///< The robot's way from start to goal.
+  TautPath tether;  ///< The taut tether at the goal, base first.
+};
+
+struct PlanOptions {
+  /// Also list every class of the goal that the tether allows.
+  bool all = false;
+  /// Labels (plan) or classes (`all`) after which the search stops with kBudgetExceeded.
+  std::int64_t budget = 20'000'000;
+};
+
+struct PlanResult {
+  PlanStatus status = PlanStatus::kInfeasible;
+  PlanObstruction obstruction = PlanObstruction::kNone;
+  std::string explanation;              ///< One sentence with the numbers when there is no plan.
+  double limit = 0;                     ///< The tether's length, metres.
+  TautPath start;                       ///< The laid cable pulled tight, base first; empty when it is blocked.
+  std::optional<Motion> motion;         ///< The best motion, when solved.
+  std::optional<Motion> rejected;       ///< The shortest motion with any tether, where the limit forbids it.
+  std::optional<TautPath> shortest_tether;  ///< For kTetherTooShort: the class that needs the least tether.
+  std::vector<Motion> all;              ///< With PlanOptions::all: shortest motion first.
+  bool all_complete = false;            ///< No class within the limit is missing from `all`.
+};
+
+/// Plans on the scene's world, tether and goal. The robot and its tether share one free space; the taut tether may be
+/// crossed. The answer is exact: the shortest motion over all classes whose taut tether is no longer than the limit.
+/// Errors: the scene has no tether or no goal, or the world has no free space. Cost: preparation O(n log n) plus the
+/// reduced visibility graph, then a label-setting search over its directed edges. [Igarashi2010 for the question;
+/// Yang2022 for the convexity that makes the search one of classes alone]
+[[nodiscard]] Expected<PlanResult> Plan(const Scene& scene, const PlanOptions& options = {});
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_PLANNERS_TETHER_PLAN_H_

@@ -1,0 +1,186 @@
+#include "tautline/scene/free_space.h"
+
+#include <algorithm>
+#include <map>
+
+#include "tautline/geometry/grow.h"
+#include "tautline/geometry/overlay.h"
+#include "tautline/geometry/snap_rounding.h"
+#include "tautline/geometry/snap_vertices.h"
+
+namespace tautline {
+namespace {
+
+/// Source numbers: the wall is 0 while snapping, so that obstacles are moved onto it; obstacle k is k + 1.
+constexpr std::int32_t kWallSource = 0;
+
+Ring Oriented(const Ring& ring, bool counter_clockwise) {
+  Ring oriented = ring;
+  if ((SignedArea(ring) > 0) != counter_clockwise) std::reverse(oriented.begin(), oriented.end());
+  return oriented;
+}
+
+/// Every boundary with blocked ground on its left: the outline clockwise, obstacles counter-clockwise, their holes
+/// clockwise.
+std::vector<SourcedRing> BlockedRings(const World& world, double arc_error) {
+  std::vector<SourcedRing> rings{{Oriented(world.outline, false), kWallSource}};
+  for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+    const Obstacle& obstacle = world.obstacles[i];
+    const auto source = static_cast<std::int32_t>(i + 1);
+    if (obstacle.circle) {
+      rings.push_back({CircumscribedPolygon(obstacle.circle->centre, obstacle.circle->radius, arc_error), source});
+      continue;
+    }
+    rings.push_back({Oriented(obstacle.polygon->outer, true), source});
+    for (const Ring& hole : obstacle.polygon->holes) rings.push_back({Oriented(hole, false), source});
+  }
+  return rings;
+}
+
+/// The rings that cover blocked ground inside the outline, with growth.
+std::vector<CoverRing> CoverRings(const World& world, const std::vector<SourcedRing>& rings, double growth,
+                                  double arc_error) {
+  std::vector<CoverRing> cover;
+  for (const SourcedRing& ring : rings) {
+    const std::int32_t source = ring.source - 1;  // The wall's 0 becomes CoverRing::kWall.
+    if (ring.source != kWallSource) cover.push_back({ring.points, source});
+    if (growth <= 0) continue;
+    const Obstacle* obstacle = source < 0 ? nullptr : &world.obstacles[static_cast<std::size_t>(source)];
+    if (obstacle != nullptr && obstacle->circle) {
+      cover.back().points =
+          CircumscribedPolygon(obstacle->circle->centre, obstacle->circle->radius + growth, arc_error);
+      continue;
+    }
+    for (Ring& piece : GrowthPieces(ring.points, growth, arc_error)) cover.push_back({std::move(piece), source});
+  }
+  return cover;
+}
+
+const std::string& NameOf(const World& world, std::int32_t snap_source) {
+  static const std::string wall = "wall";
+  return snap_source == kWallSource ? wall : world.obstacles[static_cast<std::size_t>(snap_source - 1)].name;
+}
+
+Point RepresentativeOf(const Obstacle& obstacle) {
+  if (obstacle.representative) return *obstacle.representative;
+  return obstacle.circle ? obstacle.circle->centre : InteriorPoint(*obstacle.polygon);
+}
+
+/// Turns an overlay into components and islands.
+class Assembler {
+ public:
+  Assembler(const World& world, Overlay overlay, FreeSpace& space)
+      : world_(world), overlay_(std::move(overlay)), space_(space) {}
+
+  void Assemble() {
+    CollectIslands();
+    CollectComponents();
+  }
+
+ private:
+  void CollectIslands();
+  void CollectComponents();
+
+  const World& world_;
+  Overlay overlay_;
+  FreeSpace& space_;
+  std::vector<ObstacleId> island_of_blocked_;
+};
+
+void Assembler::CollectIslands() {
+  // Sources come in the order of the scene, so the first of a component names it and islands keep that order.
+  std::map<std::int32_t, std::vector<std::string>> members;
+  island_of_blocked_.assign(static_cast<std::size_t>(overlay_.blocked_count), ObstacleId());
+  for (std::size_t source = 0; source < overlay_.blocked_of_source.size(); ++source) {
+    const std::int32_t component = overlay_.blocked_of_source[source];
+    if (component < 0) continue;
+    const Obstacle& obstacle = world_.obstacles[source];
+    members[component].push_back(obstacle.name);
+    ObstacleId& island = island_of_blocked_[static_cast<std::size_t>(component)];
+    if (component == overlay_.wall || island.valid()) continue;
+    island = ObstacleId(space_.islands.size());
+    space_.islands.push_back({obstacle.name, RepresentativeOf(obstacle), {}, 0});
+  }
+  for (auto& [component, names] : members) {
+    const bool with_wall = component == overlay_.wall;
+    if (with_wall || names.size() > 1) space_.merges.push_back({names, with_wall});
+    if (!with_wall) space_.islands[island_of_blocked_[static_cast<std::size_t>(component)].index()].members = names;
+  }
+}
+
+void Assembler::CollectComponents() {
+  space_.components.resize(static_cast<std::size_t>(overlay_.free_count));
+  for (OverlayRing& ring : overlay_.rings) {
+    const double area = SignedArea(ring.points);
+    const ObstacleId island = island_of_blocked_[static_cast<std::size_t>(ring.blocked)];
+    if (island.valid()) space_.islands[island.index()].area -= area;
+    FreeComponent& component = space_.components[static_cast<std::size_t>(ring.free)];
+    component.area += area;
+    BoundaryRing boundary{std::move(ring.points), island};
+    if (area > 0) {
+      component.outer = std::move(boundary);
+    } else {
+      component.holes.push_back(std::move(boundary));
+    }
+  }
+  std::stable_sort(space_.components.begin(), space_.components.end(),
+                   [](const FreeComponent& a, const FreeComponent& b) { return a.area > b.area; });
+}
+
+bool TouchesRing(const BoundaryRing& ring, Point p, double tolerance) {
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    if (DistanceToSegment(p, ring.points[i], ring.points[(i + 1) % ring.points.size()]) <= tolerance) return true;
+  }
+  return false;
+}
+
+bool TouchesComponent(const FreeComponent& component, Point p, double tolerance) {
+  if (tolerance > 0 && TouchesRing(component.outer, p, tolerance)) return true;
+  if (!ContainsPoint(component.outer.points, p)) return false;
+  for (const BoundaryRing& hole : component.holes) {
+    if (tolerance > 0 && TouchesRing(hole, p, tolerance)) return true;
+    const Winding winding = WindingNumber(hole.points, p);
+    if (!winding.on_boundary && winding.number != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& options) {
+  FreeSpace space;
+  space.box = BoundingBox(world.outline);
+  space.clearance = options.clearance.value_or(world.clearance);
+  space.snap = world.snap;
+  std::vector<SourcedRing> rings = BlockedRings(world, options.arc_error);
+  if (world.snap > 0) {
+    const double spacing = SnapGrid(space.box).spacing();
+    for (const VertexMove& move : SnapVertices(rings, world.snap)) {
+      if (Distance(move.from, move.to) <= spacing) continue;
+      space.snaps.push_back({NameOf(world, move.source), move.from, move.to, NameOf(world, move.onto)});
+    }
+  }
+  Ring domain = rings[0].points;
+  // A few grid spacings more, so that rounding to the grid cannot make the growth too small.
+  const double growth = space.clearance > 0 ? space.clearance + 4 * SnapGrid(space.box).spacing() : 0;
+  const std::vector<CoverRing> cover = CoverRings(world, rings, growth, options.arc_error);
+  Overlay overlay = ComputeOverlay(domain, cover, static_cast<std::int32_t>(world.obstacles.size()));
+  if (overlay.free_count == 0) {
+    return InvalidInput("no free ground is left inside the outline: the obstacles" +
+                            std::string(space.clearance > 0 ? " and the clearance" : "") +
+                            " cover all of it; lower the clearance or check the units",
+                        "world");
+  }
+  space.grid = overlay.grid;
+  Assembler(world, std::move(overlay), space).Assemble();
+  return space;
+}
+
+std::optional<std::size_t> ComponentOf(const FreeSpace& space, Point p, double tolerance) {
+  for (std::size_t i = 0; i < space.components.size(); ++i) {
+    if (TouchesComponent(space.components[i], p, tolerance)) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace tautline

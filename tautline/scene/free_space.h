@@ -1,0 +1,85 @@
+// The free space of a scene: walls and obstacles merged and grown by the clearance, as clean polygons with names.
+#ifndef TAUTLINE_SCENE_FREE_SPACE_H_
+#define TAUTLINE_SCENE_FREE_SPACE_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tautline/base/error.h"
+#include "tautline/base/index.h"
+#include "tautline/geometry/polygon.h"
+#include "tautline/scene/scene.h"
+
+namespace tautline {
+
+/// One closed boundary curve of the free space. The free space lies on its left: outer rings run counter-clockwise,
+/// rings around obstacles clockwise. No vertex is collinear with its neighbours; a ring may touch itself or another
+/// ring in a vertex, never cross.
+struct BoundaryRing {
+  Ring points;
+  ObstacleId obstacle;  ///< The island that it bounds; invalid when it bounds (something merged with) the wall.
+};
+
+/// A connected piece of the free space.
+struct FreeComponent {
+  BoundaryRing outer;
+  std::vector<BoundaryRing> holes;
+  double area = 0;  ///< Square metres.
+};
+
+/// An island of blocked ground: a letter of the words of this free space.
+struct Island {
+  std::string name;                 ///< Of the first of `members`.
+  Point representative;             ///< Strictly inside; its upward ray writes the letter.
+  std::vector<std::string> members; ///< Names of the obstacles merged into it, in the order of the scene.
+  double area = 0;                  ///< Square metres, with clearance, without courtyards.
+};
+
+/// Obstacles that came to lie in one blocked piece of ground.
+struct Merge {
+  std::vector<std::string> members;  ///< In the order of the scene.
+  bool with_wall = false;            ///< They are part of the wall and have no letter.
+};
+
+/// A boundary vertex that was moved onto another boundary nearer than the snap tolerance.
+struct Snap {
+  std::string obstacle;  ///< Whose vertex; "wall" for the outline.
+  Point from;
+  Point to;
+  std::string onto;      ///< The obstacle (or "wall") that it was moved onto.
+};
+
+struct FreeSpaceOptions {
+  /// Largest distance by which a rounded corner or a circle may be grown beyond the true arc, as a fraction of its
+  /// radius.
+  double arc_error = 0.01;
+  /// Build with this clearance instead of the scene's.
+  std::optional<double> clearance;
+};
+
+/// The closed free space: robot and tether may touch its boundary.
+struct FreeSpace {
+  std::vector<FreeComponent> components;  ///< Largest area first.
+  std::vector<Island> islands;            ///< By ObstacleId, in the order of the scene; the alphabet of the words.
+  std::vector<Merge> merges;
+  std::vector<Snap> snaps;
+  Box box;                                ///< Around the outline.
+  double clearance = 0;                   ///< Metres, as built in.
+  double snap = 0;                        ///< Metres, as used.
+  double grid = 0;                        ///< The spacing of the coordinate grid that all vertices lie on, metres.
+
+  const std::string& name(ObstacleId id) const { return islands[id.index()].name; }
+};
+
+/// Builds the free space of a world. Errors: no area left inside the outline, a limit exceeded. O(n log n) for n
+/// vertices with few overlaps. All vertices are rounded to a grid of about 1e-12 of the extent [Hobby1999].
+/// Growth is never too small, and at most arc_error * clearance too large, beyond that grid.
+[[nodiscard]] Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& options = {});
+
+/// The component that p lies in or on the boundary of, or nothing; `tolerance` metres count as touching. O(n).
+std::optional<std::size_t> ComponentOf(const FreeSpace& space, Point p, double tolerance = 0);
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_SCENE_FREE_SPACE_H_

@@ -1,0 +1,107 @@
+// A scene: everything a user says about a problem, as plain values. The narrow waist between readers and planners.
+#ifndef TAUTLINE_SCENE_SCENE_H_
+#define TAUTLINE_SCENE_SCENE_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tautline/geometry/occupancy_grid.h"
+#include "tautline/geometry/polygon.h"
+
+namespace tautline {
+
+/// A disc, metres.
+struct Circle {
+  Point centre;
+  double radius = 0;
+
+  friend bool operator==(const Circle&, const Circle&) = default;
+};
+
+/// Something that neither robot nor tether may enter: exactly one of `polygon` and `circle`.
+struct Obstacle {
+  std::string name;  ///< Unique in the scene; given, or o1, o2, ... by position.
+  std::optional<PolygonWithHoles> polygon;
+  std::optional<Circle> circle;
+  std::optional<Point> representative;  ///< Where its ray starts; strictly inside. Absent: chosen.
+  bool from_map = false;                ///< Traced from a map rather than listed in the scene.
+};
+
+/// Where the world came from, when it was read from a map file.
+struct MapSource {
+  std::string path;                 ///< As given.
+  std::string kind;                 ///< "ros", "movingai", "geojson".
+  double resolution = 0;            ///< Metres per cell; 0 for GeoJSON.
+  int columns = 0;                  ///< Cells; 0 for GeoJSON.
+  int rows = 0;                     ///< Cells; 0 for GeoJSON.
+  Point origin;                     ///< ROS: pose of the lower left corner. GeoJSON: longitude and latitude of (0, 0).
+  double origin_yaw = 0;            ///< ROS, radians.
+  bool geographic = false;          ///< GeoJSON in longitude and latitude, projected to local metres.
+  std::size_t free_cells = 0;
+  std::size_t blocked_cells = 0;
+  std::size_t unknown_cells = 0;    ///< ROS: counted as blocked unless asked otherwise.
+  double simplify = 0;              ///< The tolerance of --simplify, metres; 0: exact cell boundaries.
+  std::size_t skipped_features = 0; ///< GeoJSON: geometries that are no polygons or say that they are to be ignored.
+};
+
+struct World {
+  Ring outline;                     ///< Around the free space; the rectangle of the map for a map of cells. Empty for
+                                    ///< a scene without a world (a fleet alone in the plane).
+  std::vector<Obstacle> obstacles;  ///< Those of the scene in order, then those traced from the map.
+  double clearance = 0;             ///< Metres by which every wall and obstacle grows.
+  double snap = 1e-6;               ///< Metres below which boundaries are joined; every such merge is reported.
+  std::optional<MapSource> map;
+  std::optional<OccupancyGrid> cells;  ///< Of a map of cells, unknown cells as they stand in the map.
+};
+
+/// One tethered robot.
+struct Tether {
+  Point base;
+  double length = 0;              ///< Metres.
+  std::optional<Polyline> laid;   ///< The cable as it lies, base first, robot last; absent: the robot is at the base.
+};
+
+/// A robot moved by several cables.
+struct Cables {
+  std::vector<Point> anchors;                ///< Control points in order around the outline.
+  std::optional<std::vector<Polyline>> laid; ///< One polyline per anchor, robot first, anchor last.
+};
+
+struct ObstacleMove {
+  std::string obstacle;
+  Polyline path;  ///< Of its representative point, from where it is now.
+};
+
+struct Future {
+  double probability = 0;
+  std::vector<ObstacleMove> moves;
+};
+
+struct FleetRobot {
+  std::string name;
+  Point start;
+  Point target;
+  std::optional<Polyline> cable;  ///< The target cable line, start to target.
+  double speed = 0;               ///< Metres per second.
+};
+
+struct Fleet {
+  std::vector<FleetRobot> robots;
+};
+
+struct Scene {
+  std::string path;  ///< The file it came from; empty when built in memory.
+  World world;
+  std::optional<Tether> tether;
+  std::optional<Point> goal;
+  std::optional<Cables> cables;
+  std::vector<Point> tasks;
+  std::optional<double> max_boundary;
+  std::vector<Future> futures;
+  std::optional<Fleet> fleet;
+};
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_SCENE_SCENE_H_
