@@ -1,5 +1,6 @@
 #include "tautline/geometry/grow.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -27,7 +28,8 @@ Point Rotate(Point v, double angle) {
 
 /// The fan at a convex corner, from the normal of the edge before it to that of the edge after it.
 Ring CornerFan(Point corner, Point normal, Point next_normal, double radius, double arc_error) {
-  const double angle = std::atan2(Cross(normal, next_normal), Dot(normal, next_normal));
+  // The corner is convex, but rounding may say otherwise when it is nearly straight or nearly a needle.
+  const double angle = std::fabs(std::atan2(Cross(normal, next_normal), Dot(normal, next_normal)));
   const int steps = ArcSteps(angle, arc_error);
   const double step = angle / steps;
   Ring fan{corner, corner + radius * normal};
@@ -38,18 +40,28 @@ Ring CornerFan(Point corner, Point normal, Point next_normal, double radius, dou
   return fan;
 }
 
+/// The corners of the ring; the ends of one that has collapsed to a segment, or its only point.
+Ring Clean(std::span<const Point> ring) {
+  Ring clean = DropCollinear(ring);
+  if (clean.size() >= 3 || ring.empty()) return clean;
+  const auto [low, high] = std::minmax_element(ring.begin(), ring.end());
+  return *low == *high ? Ring{*low} : Ring{*low, *high};
+}
+
 }  // namespace
 
 std::vector<Ring> GrowthPieces(std::span<const Point> ring, double radius, double arc_error) {
-  const Ring clean = DropCollinear(ring);
+  const Ring clean = Clean(ring);
   std::vector<Ring> pieces;
   const std::size_t n = clean.size();
+  if (n == 1) pieces.push_back(CircumscribedPolygon(clean[0], radius, arc_error));
+  if (n < 2) return pieces;
   for (std::size_t i = 0; i < n; ++i) {
     const Point a = clean[i], b = clean[(i + 1) % n], c = clean[(i + 2) % n];
     const Point normal = RightNormal(a, b);
     const Point offset = radius * normal;
     pieces.push_back({a, a + offset, b + offset, b});
-    if (Orientation(a, b, c) > 0) pieces.push_back(CornerFan(b, normal, RightNormal(b, c), radius, arc_error));
+    if (n == 2 || Orientation(a, b, c) > 0) pieces.push_back(CornerFan(b, normal, RightNormal(b, c), radius, arc_error));
   }
   return pieces;
 }

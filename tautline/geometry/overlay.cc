@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <unordered_map>
 
 #include "tautline/base/check.h"
 #include "tautline/geometry/disjoint_sets.h"
@@ -13,10 +12,37 @@
 namespace tautline {
 namespace {
 
-/// How often rings pass an edge from its lower to its higher vertex, minus the other way.
-struct Weight {
-  int domain = 0;
-  int cover = 0;
+/// What winds by itself: the domain, the wall's cover, and the cover of each source.
+using Layer = std::size_t;
+constexpr Layer kDomainLayer = 0;
+
+// Wide enough for sums of products of two coordinate differences on the grid.
+__extension__ using Wide = __int128;
+
+Layer CoverLayer(std::int32_t source) { return static_cast<Layer>(source - CoverRing::kWall) + 1; }
+
+/// How often rings of a layer pass an edge from its lower to its higher vertex, minus the other way.
+struct Passage {
+  std::uint64_t edge;
+  Layer layer;
+  int count;
+};
+
+/// The winding numbers of all layers in one place of the plane.
+class Windings {
+ public:
+  explicit Windings(std::size_t layers) : numbers_(layers, 0) {}
+
+  void Add(Layer layer, int count) {
+    const int before = numbers_[layer];
+    numbers_[layer] += count;
+    if (layer != kDomainLayer) covering_ += (numbers_[layer] > 0 ? 1 : 0) - (before > 0 ? 1 : 0);
+  }
+  bool Blocked() const { return numbers_[kDomainLayer] == 0 || covering_ > 0; }
+
+ private:
+  std::vector<int> numbers_;
+  int covering_ = 0;  ///< Layers that cover the place.
 };
 
 /// Carries the segments of all rings through snap rounding into a triangulation and reads off what is free.
@@ -27,10 +53,11 @@ class OverlayBuilder {
   Overlay Build();
 
  private:
-  void AddRing(const Ring& ring, std::int32_t source, bool is_domain);
+  void AddRing(const Ring& ring, Layer layer);
   void TriangulateChains();
-  void AddWeights();
+  void CollectPassages();
   void FloodWindings();
+  void Cross(TriangleId triangle, int side, Windings& windings) const;
   void FindComponents();
   void FindSources();
   void TraceRings();
@@ -44,16 +71,15 @@ class OverlayBuilder {
   static std::uint64_t Key(VertexId low, VertexId high) {
     return static_cast<std::uint64_t>(low.value()) << 32 | static_cast<std::uint64_t>(high.value());
   }
-  Weight WeightAlong(VertexId from, VertexId to) const;
+  double AreaOf(const Ring& ring) const;
 
   SnapGrid grid_;
   std::vector<GridSegment> segments_;
-  std::vector<std::int32_t> source_of_segment_;
-  std::vector<bool> domain_segment_;
+  std::vector<Layer> layer_of_segment_;
   Triangulation mesh_;
   std::vector<InputEdge> edges_;                 ///< Of the triangulation, from the chains.
   std::vector<std::size_t> segment_of_edge_;
-  std::unordered_map<std::uint64_t, Weight> weights_;
+  std::vector<Passage> passages_;                ///< Sorted by edge.
   std::vector<bool> blocked_;                    ///< By triangle.
   std::vector<std::int32_t> free_component_;     ///< By triangle; -1 when blocked.
   std::vector<std::int32_t> blocked_component_;  ///< By vertex; -1 when no blocked triangle touches it.
@@ -73,17 +99,16 @@ OverlayBuilder::OverlayBuilder(const Ring& domain, std::span<const CoverRing> co
     : grid_(BoxOf(domain, cover)) {
   overlay_.grid = grid_.spacing();
   overlay_.blocked_of_source.assign(static_cast<std::size_t>(sources), -1);
-  AddRing(domain, CoverRing::kWall, true);
-  for (const CoverRing& ring : cover) AddRing(ring.points, ring.source, false);
+  AddRing(domain, kDomainLayer);
+  for (const CoverRing& ring : cover) AddRing(ring.points, CoverLayer(ring.source));
 }
 
-void OverlayBuilder::AddRing(const Ring& ring, std::int32_t source, bool is_domain) {
+void OverlayBuilder::AddRing(const Ring& ring, Layer layer) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const GridSegment segment{grid_.Round(ring[i]), grid_.Round(ring[(i + 1) % ring.size()])};
     if (segment.from == segment.to) continue;
     segments_.push_back(segment);
-    source_of_segment_.push_back(source);
-    domain_segment_.push_back(is_domain);
+    layer_of_segment_.push_back(layer);
   }
 }
 
@@ -108,49 +133,60 @@ void OverlayBuilder::TriangulateChains() {
   mesh_ = Triangulation::Build(points, edges_);
 }
 
-void OverlayBuilder::AddWeights() {
+void OverlayBuilder::CollectPassages() {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto chain = mesh_.ChainOf(e);
+    const Layer layer = layer_of_segment_[segment_of_edge_[e]];
     for (std::size_t i = 1; i < chain.size(); ++i) {
-      const bool upward = chain[i - 1] < chain[i];
-      Weight& weight = weights_[upward ? Key(chain[i - 1], chain[i]) : Key(chain[i], chain[i - 1])];
-      (domain_segment_[segment_of_edge_[e]] ? weight.domain : weight.cover) += upward ? 1 : -1;
+      const auto [low, high] = std::minmax(chain[i - 1], chain[i]);
+      passages_.push_back({Key(low, high), layer, chain[i - 1] == low ? 1 : -1});
     }
+  }
+  std::sort(passages_.begin(), passages_.end(), [](const Passage& a, const Passage& b) { return a.edge < b.edge; });
+}
+
+/// Updates the windings of a triangle to those of its neighbour across the given side.
+void OverlayBuilder::Cross(TriangleId triangle, int side, Windings& windings) const {
+  const Triangle& here = mesh_.triangle(triangle);
+  if (!here.constrained[static_cast<std::size_t>(side)]) return;
+  // The triangle lies on the left of its edges; each passage along the edge winds the left side once more.
+  const VertexId from = here.vertices[static_cast<std::size_t>(Next(side))];
+  const VertexId to = here.vertices[static_cast<std::size_t>(Previous(side))];
+  const std::uint64_t edge = Key(std::min(from, to), std::max(from, to));
+  auto passage = std::lower_bound(passages_.begin(), passages_.end(), edge,
+                                  [](const Passage& p, std::uint64_t key) { return p.edge < key; });
+  for (; passage != passages_.end() && passage->edge == edge; ++passage) {
+    windings.Add(passage->layer, from < to ? -passage->count : passage->count);
   }
 }
 
-Weight OverlayBuilder::WeightAlong(VertexId from, VertexId to) const {
-  const auto found = weights_.find(from < to ? Key(from, to) : Key(to, from));
-  if (found == weights_.end()) return {};
-  return from < to ? found->second : Weight{-found->second.domain, -found->second.cover};
-}
-
-/// Carries the winding numbers of domain and cover from the frame, where they are zero, across every edge.
+/// Walks over all triangles, depth first from the frame, where everything winds zero times, and carries the winding
+/// numbers along: forth across an edge, and back across it when all beyond is done.
 void OverlayBuilder::FloodWindings() {
+  struct Step {
+    TriangleId at;
+    int next_side;
+  };
   const std::size_t count = mesh_.triangles().size();
-  std::vector<Weight> winding(count);
+  Windings windings(CoverLayer(static_cast<std::int32_t>(overlay_.blocked_of_source.size())));
   std::vector<bool> seen(count, false);
   blocked_.assign(count, true);
-  const VertexId frame_corner(mesh_.points().size() - 1);
-  std::vector<TriangleId> stack{mesh_.TriangleAt(frame_corner)};
-  seen[stack[0].index()] = true;
-  while (!stack.empty()) {
-    const TriangleId at = stack.back();
-    stack.pop_back();
-    const Triangle& here = mesh_.triangle(at);
-    blocked_[at.index()] = winding[at.index()].domain == 0 || winding[at.index()].cover > 0;
-    for (int i = 0; i < 3; ++i) {
-      const TriangleId across = here.neighbours[static_cast<std::size_t>(i)];
-      if (!across.valid() || seen[across.index()]) continue;
-      // This triangle lies on the left of its edges; each passage along the edge winds the left side once more.
-      const Weight weight = here.constrained[static_cast<std::size_t>(i)]
-                                ? WeightAlong(here.vertices[static_cast<std::size_t>(Next(i))],
-                                              here.vertices[static_cast<std::size_t>(Previous(i))])
-                                : Weight{};
-      winding[across.index()] = {winding[at.index()].domain - weight.domain, winding[at.index()].cover - weight.cover};
-      seen[across.index()] = true;
-      stack.push_back(across);
+  std::vector<Step> trail{{mesh_.TriangleAt(VertexId(mesh_.points().size() - 1)), 0}};
+  seen[trail[0].at.index()] = true;
+  while (!trail.empty()) {
+    const auto [at, side] = trail.back();
+    if (side == 3) {
+      trail.pop_back();
+      if (!trail.empty()) Cross(at, mesh_.triangle(at).IndexOf(trail.back().at), windings);
+      continue;
     }
+    ++trail.back().next_side;
+    const TriangleId across = mesh_.triangle(at).neighbours[static_cast<std::size_t>(side)];
+    if (!across.valid() || seen[across.index()]) continue;
+    Cross(at, side, windings);
+    seen[across.index()] = true;
+    blocked_[across.index()] = windings.Blocked();
+    trail.push_back({across, 0});
   }
 }
 
@@ -192,9 +228,9 @@ void OverlayBuilder::FindComponents() {
 /// Every edge of a source lies in the closure of the blocked component that the source became part of.
 void OverlayBuilder::FindSources() {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
-    const std::int32_t source = source_of_segment_[segment_of_edge_[e]];
-    if (source == CoverRing::kWall) continue;
-    std::int32_t& component = overlay_.blocked_of_source[static_cast<std::size_t>(source)];
+    const Layer layer = layer_of_segment_[segment_of_edge_[e]];
+    if (layer < CoverLayer(0)) continue;
+    std::int32_t& component = overlay_.blocked_of_source[layer - CoverLayer(0)];
     if (component < 0) component = blocked_component_[mesh_.ChainOf(e)[0].index()];
   }
 }
@@ -220,7 +256,20 @@ OverlayRing OverlayBuilder::TraceRing(TriangleId triangle, int index) {
     }
   } while (at != triangle || i != index);
   ring.points = DropCollinear(ring.points);
+  ring.area = AreaOf(ring.points);
   return ring;
+}
+
+/// The signed area, exact until its last conversion: thin rings would lose their sign in doubles.
+double OverlayBuilder::AreaOf(const Ring& ring) const {
+  Wide twice = 0;
+  const SnapGrid::Node first = grid_.Round(ring[0]);
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    const SnapGrid::Node a = grid_.Round(ring[i]), b = grid_.Round(ring[i + 1]);
+    twice += static_cast<Wide>(a.x - first.x) * (b.y - first.y);
+    twice -= static_cast<Wide>(a.y - first.y) * (b.x - first.x);
+  }
+  return 0.5 * static_cast<double>(twice) * grid_.spacing() * grid_.spacing();
 }
 
 void OverlayBuilder::TraceRings() {
@@ -235,7 +284,7 @@ void OverlayBuilder::TraceRings() {
 
 Overlay OverlayBuilder::Build() {
   TriangulateChains();
-  AddWeights();
+  CollectPassages();
   FloodWindings();
   FindComponents();
   FindSources();

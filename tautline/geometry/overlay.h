@@ -10,8 +10,8 @@
 
 namespace tautline {
 
-/// A ring that covers the ground where its winding number, summed over all cover rings, is positive: outer rings run
-/// counter-clockwise, holes clockwise. Rings may cross, touch, overlap and repeat.
+/// A ring of something that covers the ground where the winding number, summed over the rings of its source, is
+/// positive: outer rings run counter-clockwise, holes clockwise. Rings may cross, touch, overlap and repeat.
 struct CoverRing {
   Ring points;
   std::int32_t source = kWall;  ///< Whose ring it is; rings of one source are one thing.
@@ -24,6 +24,7 @@ struct OverlayRing {
   Ring points;                ///< No vertex is collinear with its neighbours.
   std::int32_t free = -1;     ///< The free component on its left.
   std::int32_t blocked = -1;  ///< The blocked component on its right.
+  double area = 0;            ///< Square metres; positive exactly when the ring runs counter-clockwise.
 };
 
 struct Overlay {

@@ -125,10 +125,19 @@ Ring DropCollinear(std::span<const Point> ring) {
     while (kept.size() >= 2 && Orientation(kept[kept.size() - 2], kept.back(), p) == 0) kept.pop_back();
     if (kept.empty() || kept.back() != p) kept.push_back(p);
   }
-  while (kept.size() > 1 && kept.front() == kept.back()) kept.pop_back();
-  while (kept.size() >= 3 && Orientation(kept[kept.size() - 2], kept.back(), kept.front()) == 0) kept.pop_back();
+  // Around the seam, what is dropped may make its neighbours droppable.
   std::size_t first = 0;
-  while (kept.size() - first >= 3 && Orientation(kept.back(), kept[first], kept[first + 1]) == 0) ++first;
+  for (;;) {
+    const std::size_t count = kept.size() - first;
+    const bool repeated = count >= 2 && kept[first] == kept.back();
+    if (repeated || (count >= 3 && Orientation(kept[kept.size() - 2], kept.back(), kept[first]) == 0)) {
+      kept.pop_back();
+    } else if (count >= 3 && Orientation(kept.back(), kept[first], kept[first + 1]) == 0) {
+      ++first;
+    } else {
+      break;
+    }
+  }
   kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first));
   return kept;
 }

@@ -68,7 +68,8 @@ double DistanceToSegment(Point p, Point a, Point b);
 /// The point of the closed segment ab that is nearest to p.
 Point NearestOnSegment(Point p, Point a, Point b);
 
-/// The ring without repeated neighbours and without vertices that are exactly collinear with theirs.
+/// The ring without repeated neighbours and without vertices that are exactly collinear with theirs. Spikes go; fewer
+/// than three points are left of a ring that has no area.
 Ring DropCollinear(std::span<const Point> ring);
 
 }  // namespace tautline

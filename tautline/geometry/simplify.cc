@@ -71,6 +71,11 @@ class VertexGrid {
   std::unordered_map<std::size_t, std::vector<std::size_t>> buckets_;
 };
 
+bool InClosedBox(const Box& box, Point p) {
+  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+}
+
+/// Of a triangle that runs counter-clockwise, or whose corners lie on one line.
 bool InClosedTriangle(Point a, Point b, Point c, Point p) {
   return Orientation(a, b, p) >= 0 && Orientation(b, c, p) >= 0 && Orientation(c, a, p) >= 0;
 }
@@ -153,11 +158,12 @@ class Simplifier {
   bool TriangleIsEmpty(std::size_t i) const {
     const std::size_t before = nodes_[i].previous, after = nodes_[i].next;
     const Point a = At(before), b = At(i), c = At(after);
-    const std::vector<Point> corners{a, b, c};
+    Box box;
+    for (const Point p : {a, b, c}) box.Add(p);
     bool empty = true;
-    grid_.ForEachNear(BoundingBox(corners), [&](std::size_t other) {
+    grid_.ForEachNear(box, [&](std::size_t other) {
       const bool own = other == before || other == i || other == after;
-      empty = own || !InClosedTriangle(a, c, b, At(other));
+      empty = own || !InClosedBox(box, At(other)) || !InClosedTriangle(a, c, b, At(other));
       return empty;
     });
     return empty;

@@ -7,10 +7,9 @@
 
 namespace tautline {
 
-Rays::Rays(const FreeSpace& space) {
+Rays::Rays(const FreeSpace& space) : names_(NamesOf(space)) {
   for (std::size_t i = 0; i < space.islands.size(); ++i) {
     by_x_.push_back({space.islands[i].representative, ObstacleId(i)});
-    names_.push_back(space.islands[i].name);
   }
   std::sort(by_x_.begin(), by_x_.end(), [](const Ray& a, const Ray& b) {
     return std::tie(a.origin.x, a.obstacle) < std::tie(b.origin.x, b.obstacle);

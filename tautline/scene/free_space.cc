@@ -47,13 +47,23 @@ std::vector<CoverRing> CoverRings(const World& world, const std::vector<SourcedR
     if (growth <= 0) continue;
     const Obstacle* obstacle = source < 0 ? nullptr : &world.obstacles[static_cast<std::size_t>(source)];
     if (obstacle != nullptr && obstacle->circle) {
-      cover.back().points =
-          CircumscribedPolygon(obstacle->circle->centre, obstacle->circle->radius + growth, arc_error);
+      const auto [centre, radius] = *obstacle->circle;
+      cover.push_back({CircumscribedPolygon(centre, radius + growth, arc_error), source});
       continue;
     }
     for (Ring& piece : GrowthPieces(ring.points, growth, arc_error)) cover.push_back({std::move(piece), source});
   }
   return cover;
+}
+
+/// The spacing of the grid that the overlay of the rings will be on, or a coarser one.
+double GridSpacing(const std::vector<SourcedRing>& rings, double clearance, double arc_error) {
+  Box box;
+  for (const SourcedRing& ring : rings) {
+    for (const Point p : ring.points) box.Add(p);
+  }
+  const double reach = (1 + 2 * arc_error) * clearance;
+  return SnapGrid({box.low - Point{reach, reach}, box.high + Point{reach, reach}}).spacing();
 }
 
 const std::string& NameOf(const World& world, std::int32_t snap_source) {
@@ -111,7 +121,7 @@ void Assembler::CollectIslands() {
 void Assembler::CollectComponents() {
   space_.components.resize(static_cast<std::size_t>(overlay_.free_count));
   for (OverlayRing& ring : overlay_.rings) {
-    const double area = SignedArea(ring.points);
+    const double area = ring.area;
     const ObstacleId island = island_of_blocked_[static_cast<std::size_t>(ring.blocked)];
     if (island.valid()) space_.islands[island.index()].area -= area;
     FreeComponent& component = space_.components[static_cast<std::size_t>(ring.free)];
@@ -127,22 +137,25 @@ void Assembler::CollectComponents() {
                    [](const FreeComponent& a, const FreeComponent& b) { return a.area > b.area; });
 }
 
-bool TouchesRing(const BoundaryRing& ring, Point p, double tolerance) {
+bool Holds(const FreeComponent& component, Point p) {
+  if (!ContainsPoint(component.outer.points, p)) return false;
+  return std::none_of(component.holes.begin(), component.holes.end(), [p](const BoundaryRing& hole) {
+    const Winding winding = WindingNumber(hole.points, p);
+    return !winding.on_boundary && winding.number != 0;
+  });
+}
+
+bool Touches(const BoundaryRing& ring, Point p, double tolerance) {
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
     if (DistanceToSegment(p, ring.points[i], ring.points[(i + 1) % ring.points.size()]) <= tolerance) return true;
   }
   return false;
 }
 
-bool TouchesComponent(const FreeComponent& component, Point p, double tolerance) {
-  if (tolerance > 0 && TouchesRing(component.outer, p, tolerance)) return true;
-  if (!ContainsPoint(component.outer.points, p)) return false;
-  for (const BoundaryRing& hole : component.holes) {
-    if (tolerance > 0 && TouchesRing(hole, p, tolerance)) return true;
-    const Winding winding = WindingNumber(hole.points, p);
-    if (!winding.on_boundary && winding.number != 0) return false;
-  }
-  return true;
+bool Touches(const FreeComponent& component, Point p, double tolerance) {
+  return Touches(component.outer, p, tolerance) ||
+         std::any_of(component.holes.begin(), component.holes.end(),
+                     [&](const BoundaryRing& hole) { return Touches(hole, p, tolerance); });
 }
 
 }  // namespace
@@ -153,8 +166,8 @@ Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& o
   space.clearance = options.clearance.value_or(world.clearance);
   space.snap = world.snap;
   std::vector<SourcedRing> rings = BlockedRings(world, options.arc_error);
+  const double spacing = GridSpacing(rings, space.clearance, options.arc_error);
   if (world.snap > 0) {
-    const double spacing = SnapGrid(space.box).spacing();
     for (const VertexMove& move : SnapVertices(rings, world.snap)) {
       if (Distance(move.from, move.to) <= spacing) continue;
       space.snaps.push_back({NameOf(world, move.source), move.from, move.to, NameOf(world, move.onto)});
@@ -162,7 +175,7 @@ Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& o
   }
   Ring domain = rings[0].points;
   // A few grid spacings more, so that rounding to the grid cannot make the growth too small.
-  const double growth = space.clearance > 0 ? space.clearance + 4 * SnapGrid(space.box).spacing() : 0;
+  const double growth = space.clearance > 0 ? space.clearance + 4 * spacing : 0;
   const std::vector<CoverRing> cover = CoverRings(world, rings, growth, options.arc_error);
   Overlay overlay = ComputeOverlay(domain, cover, static_cast<std::int32_t>(world.obstacles.size()));
   if (overlay.free_count == 0) {
@@ -176,11 +189,21 @@ Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& o
   return space;
 }
 
+std::vector<std::string> NamesOf(const FreeSpace& space) {
+  std::vector<std::string> names;
+  for (const Island& island : space.islands) names.push_back(island.name);
+  return names;
+}
+
 std::optional<std::size_t> ComponentOf(const FreeSpace& space, Point p, double tolerance) {
-  for (std::size_t i = 0; i < space.components.size(); ++i) {
-    if (TouchesComponent(space.components[i], p, tolerance)) return i;
-  }
-  return std::nullopt;
+  const auto find = [&](auto holds) -> std::optional<std::size_t> {
+    const auto found = std::find_if(space.components.begin(), space.components.end(), holds);
+    if (found == space.components.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - space.components.begin());
+  };
+  const auto inside = find([p](const FreeComponent& component) { return Holds(component, p); });
+  if (inside || tolerance <= 0) return inside;
+  return find([&](const FreeComponent& component) { return Touches(component, p, tolerance); });
 }
 
 }  // namespace tautline

@@ -77,6 +77,9 @@ struct FreeSpace {
 /// Growth is never too small, and at most arc_error * clearance too large, beyond that grid.
 [[nodiscard]] Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& options = {});
 
+/// The names of the islands, by ObstacleId.
+std::vector<std::string> NamesOf(const FreeSpace& space);
+
 /// The component that p lies in or on the boundary of, or nothing; `tolerance` metres count as touching. O(n).
 std::optional<std::size_t> ComponentOf(const FreeSpace& space, Point p, double tolerance = 0);
 

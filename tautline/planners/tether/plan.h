@@ -40,7 +40,7 @@ struct PlanOptions {
   /// Also list every class of the goal that the tether allows.
   bool all = false;
   /// Labels (plan) or classes (`all`) after which the search stops with kBudgetExceeded.
-  std::int64_t budget = 20'000'000;
+  std::int64_t budget = 5'000'000;
 };
 
 struct PlanResult {

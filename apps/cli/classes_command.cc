@@ -1,0 +1,166 @@
+// `tautline classes`: the homotopy classes between two points, shortest first.
+#include <fmt/format.h>
+
+#include <memory>
+#include <set>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/common_options.h"
+#include "apps/cli/describe.h"
+#include "apps/cli/exit_status.h"
+#include "apps/cli/json_values.h"
+#include "apps/cli/point_option.h"
+#include "apps/cli/verification.h"
+#include "tautline/draw/draw_classes.h"
+#include "tautline/planners/tether/explain.h"
+#include "tautline/planners/tether/tether_planner.h"
+#include "tautline/planners/tether/verify_plan.h"
+
+namespace tautline::cli {
+namespace {
+
+/// How many classes are listed when neither a length nor a count is given and the scene has no tether.
+constexpr std::int64_t kDefaultCount = 10;
+
+struct ClassesCommand {
+  CommonOptions common;
+  ClassOptions options;
+  std::string from;
+  std::string to;
+};
+
+/// The question with its ends filled in.
+struct Question {
+  Point from;
+  Point to;
+  ClassOptions options;
+};
+
+Expected<Question> Ask(const ClassesCommand& command, const Scene& scene) {
+  Question question{{}, {}, command.options};
+  if (command.from.empty() && !scene.tether) {
+    return InvalidInput("no start; give --from X,Y or add a tether with its base to the scene", scene.path);
+  }
+  if (command.to.empty() && !scene.goal) {
+    return InvalidInput("no end; give --to X,Y or add `goal: [x, y]` to the scene", scene.path);
+  }
+  const auto from = command.from.empty() ? Expected<Point>(scene.tether->base) : ParsePoint(command.from, "--from");
+  if (!from) return tl::unexpected(from.error());
+  const auto to = command.to.empty() ? Expected<Point>(*scene.goal) : ParsePoint(command.to, "--to");
+  if (!to) return tl::unexpected(to.error());
+  question.from = *from;
+  question.to = *to;
+  if (!command.options.max_length && !command.options.max_count) {
+    if (scene.tether) question.options.max_length = scene.tether->length;
+    if (!scene.tether) question.options.max_count = kDefaultCount;
+  }
+  return question;
+}
+
+/// The classes, or why there can be none.
+struct Found {
+  ClassList list;
+  std::string reason;
+  std::string explanation;
+};
+
+Found Find(const TetherPlanner& planner, const Question& question) {
+  const TautSpace& space = planner.space();
+  const auto socket = FindSocket(space, planner.ungrown(), question.from);
+  const auto goal = space.Locate(question.to);
+  if (!socket) {
+    return {{}, "start_blocked", ExplainLaidCable(space, PlanObstruction::kStartBlocked, question.from)};
+  }
+  if (!goal) return {{}, "goal_blocked", ExplainGoalBlocked(space, question.to)};
+  if (space.mesh().ComponentOf(socket->exit.triangle) != space.mesh().ComponentOf(goal->triangle)) {
+    return {{}, "goal_unreachable", ExplainUnreachable(question.to)};
+  }
+  return {planner.TethersTo(*socket, *goal, question.options), "", ""};
+}
+
+Json ToJson(const Found& found, const FreeSpace& space) {
+  const JsonValues values(space);
+  Json json;
+  json["command"] = "classes";
+  json["status"] = !found.reason.empty() ? "infeasible" : found.list.budget_exceeded ? "budget_exceeded" : "solved";
+  if (!found.reason.empty()) {
+    json["reason"] = found.reason;
+    json["explanation"] = found.explanation;
+  }
+  json["classes"] = Json::array();
+  for (const TautPath& path : found.list.classes) json["classes"].push_back(values.Of(path, "path"));
+  json["complete"] = found.list.complete;
+  return json;
+}
+
+std::string ToText(const Found& found, const Question& question, const FreeSpace& space) {
+  if (!found.reason.empty()) return fmt::format("No class: {}.\n", found.explanation);
+  const std::vector<std::string> names = NamesOf(space);
+  const std::size_t count = found.list.classes.size();
+  std::string text = fmt::format("{} class{}", count, count == 1 ? "" : "es");
+  if (question.options.max_length) text += fmt::format(" up to {}", Metres(*question.options.max_length));
+  if (!found.list.complete) text += found.list.budget_exceeded ? ", more exist: the budget ran out" : ", longer ones exist";
+  text += count == 0 ? ".\n" : ":\n";
+  for (std::size_t i = 0; i < count; ++i) {
+    const TautPath& path = found.list.classes[i];
+    text += fmt::format("  {:3}  {:>12}  {}\n", i + 1, Metres(path.length), Describe(path.word, names));
+  }
+  return text;
+}
+
+/// Every path is taut and free and no two are of one class.
+std::vector<std::string> Faults(const Found& found, const FreeSpace& space, bool has_stub) {
+  std::vector<std::string> faults;
+  std::set<Word> words;
+  for (const TautPath& path : found.list.classes) {
+    for (const std::string& fault : CurveFaults(space, path, has_stub)) faults.push_back("a class's path " + fault);
+    if (!words.insert(path.word).second) faults.emplace_back("a class is listed twice");
+  }
+  return faults;
+}
+
+int StatusOf(const Found& found) {
+  return !found.reason.empty() || found.list.budget_exceeded ? kExitInfeasible : kExitSolved;
+}
+
+Expected<int> RunClasses(const ClassesCommand& command) {
+  const auto scene = ReadScene(command.common);
+  if (!scene) return tl::unexpected(scene.error());
+  const auto question = Ask(command, *scene);
+  if (!question) return tl::unexpected(question.error());
+  const auto planner = TetherPlanner::Prepare(scene->world);
+  if (!planner) return tl::unexpected(planner.error());
+  const Found found = Find(*planner, *question);
+  const FreeSpace& space = planner->space().free_space();
+  Json json = ToJson(found, space);
+  std::string text = ToText(found, *question, space);
+  if (MustVerify(command.common)) {
+    const bool has_stub = !planner->space().Locate(question->from);
+    ReportVerification(Faults(found, space, has_stub), static_cast<int>(found.list.classes.size()), json, text);
+  }
+  const auto draw = [&] {
+    return DrawClasses(*scene, space, {.from = question->from, .to = question->to, .list = found.list});
+  };
+  return Deliver(command.common, {.json = json, .text = text, .draw = draw, .status = StatusOf(found)});
+}
+
+}  // namespace
+
+Run AddClasses(CLI::App& app) {
+  const auto command = std::make_shared<ClassesCommand>();
+  CLI::App* sub = app.add_subcommand("classes", "the homotopy classes between two points, shortest first");
+  AddCommonOptions(*sub, command->common);
+  sub->add_option("--from", command->from, "where the paths start; default: the tether's base")->type_name("X,Y");
+  sub->add_option("--to", command->to, "where they end; default: the goal")->type_name("X,Y");
+  sub->add_option("--max-length", command->options.max_length, "only classes no longer than this; default: the tether")
+      ->type_name("METRES")
+      ->check(CLI::NonNegativeNumber);
+  sub->add_option("--count", command->options.max_count, "only so many, the shortest")->check(CLI::PositiveNumber);
+  sub->add_option("--budget", command->options.budget, "search steps after which to stop")->check(CLI::PositiveNumber);
+  sub->footer(
+      "Example:\n  tautline classes scenes/two_ways.yaml --count 5 --svg classes.svg\n"
+      "Exit status: 0 solved, 2 bad input, 3 an end is blocked or the budget ran out.");
+  return [command] { return RunClasses(*command); };
+}
+
+}  // namespace tautline::cli

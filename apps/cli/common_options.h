@@ -1,0 +1,50 @@
+// The options that all commands share, and the answer that all commands give.
+#ifndef APPS_CLI_COMMON_OPTIONS_H_
+#define APPS_CLI_COMMON_OPTIONS_H_
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "tautline/base/error.h"
+#include "tautline/scene/scene.h"
+
+namespace tautline::cli {
+
+struct CommonOptions {
+  std::string scene;
+  bool json = false;
+  bool quiet = false;
+  bool verify = false;
+  std::string unknown = "blocked";  ///< Or "free".
+  std::string svg;
+  std::string png;
+  double simplify = 0;
+  int threads = 1;
+  std::uint64_t seed = 1;
+};
+
+/// Adds SCENE and the common options to a command.
+void AddCommonOptions(CLI::App& command, CommonOptions& options);
+
+/// Reads the scene that the options name. Errors: as ReadSceneFile.
+[[nodiscard]] Expected<Scene> ReadScene(const CommonOptions& options);
+
+/// What a command found, in the forms in which it can be handed out.
+struct Answer {
+  const nlohmann::ordered_json& json;
+  std::string text;                    ///< For people, with the final newline.
+  std::function<std::string()> draw;   ///< The picture as SVG; called only where one is asked for.
+  int status = 0;
+};
+
+/// Writes pictures, then the answer to standard output; the exit status, or what could not be written.
+[[nodiscard]] Expected<int> Deliver(const CommonOptions& options, const Answer& answer);
+
+}  // namespace tautline::cli
+
+#endif  // APPS_CLI_COMMON_OPTIONS_H_

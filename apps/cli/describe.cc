@@ -1,0 +1,39 @@
+#include "apps/cli/describe.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tautline::cli {
+namespace {
+
+/// Points shown before a long list is cut.
+constexpr std::size_t kMostPoints = 12;
+
+std::string Number(double value) {
+  const double rounded = std::fabs(value) < 1e9 ? std::round(value * 1e4) / 1e4 : value;
+  return fmt::format("{:.12g}", rounded + 0.0);
+}
+
+}  // namespace
+
+std::string Metres(double value) { return Number(value) + " m"; }
+
+std::string Describe(std::span<const Point> points) {
+  std::string text;
+  const std::size_t head = points.size() > kMostPoints ? kMostPoints - 3 : points.size();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i == head) {
+      text += fmt::format(" ... {} more ...", points.size() - kMostPoints);
+      i = points.size() - 3;
+    }
+    text += fmt::format("{}({}, {})", i == 0 ? "" : " ", Number(points[i].x), Number(points[i].y));
+  }
+  return text;
+}
+
+std::string Describe(const Word& word, const std::vector<std::string>& names) {
+  return word.empty() ? "'' (straight, around nothing)" : "'" + ToString(word, names) + "'";
+}
+
+}  // namespace tautline::cli

@@ -1,0 +1,25 @@
+// Results in words, for people at a terminal.
+#ifndef APPS_CLI_DESCRIBE_H_
+#define APPS_CLI_DESCRIBE_H_
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tautline/geometry/point.h"
+#include "tautline/homotopy/word.h"
+
+namespace tautline::cli {
+
+/// "12.34 m": four significant decimals at most, without trailing zeros.
+std::string Metres(double value);
+
+/// "(1, 2) (3.5, 4) ...": points to millimetres; long lists are cut in the middle.
+std::string Describe(std::span<const Point> points);
+
+/// "'a b^-1'", or "'' (around nothing)".
+std::string Describe(const Word& word, const std::vector<std::string>& names);
+
+}  // namespace tautline::cli
+
+#endif  // APPS_CLI_DESCRIBE_H_

@@ -1,0 +1,17 @@
+// The exit statuses of the program; see docs/formats.md.
+#ifndef APPS_CLI_EXIT_STATUS_H_
+#define APPS_CLI_EXIT_STATUS_H_
+
+namespace tautline::cli {
+
+enum ExitStatus : int {
+  kExitSolved = 0,
+  kExitFault = 1,        ///< A fault of tautline's own.
+  kExitBadInput = 2,     ///< The input or the call is wrong, or its output cannot be written.
+  kExitInfeasible = 3,   ///< Well posed, and without a solution.
+  kExitInterrupted = 130,
+};
+
+}  // namespace tautline::cli
+
+#endif  // APPS_CLI_EXIT_STATUS_H_

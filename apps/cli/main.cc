@@ -1,0 +1,58 @@
+// The program `tautline`: parses the call, runs one command, turns errors into one line and an exit status.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/exit_status.h"
+#include "apps/cli/output_file.h"
+
+namespace tautline::cli {
+namespace {
+
+int Complain(const std::string& what, int status) {
+  std::fprintf(stderr, "tautline: %s\n", what.c_str());
+  return status;
+}
+
+int Main(int argc, char** argv) {
+  HandleSignals();
+  CLI::App app("Plans for robots on a tether: exact shortest motions that the cable allows.", "tautline");
+  app.set_version_flag("--version", "tautline " TAUTLINE_VERSION);
+  app.require_subcommand(1);
+  app.footer("Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n`tautline COMMAND --help` tells more.");
+  std::vector<Run> runs;
+  for (const auto add : {AddPlan, AddClasses, AddTaut, AddShow}) runs.push_back(add(app));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return Complain(std::string(error.what()) + "; see `tautline --help`", kExitBadInput);
+  }
+  const auto commands = app.get_subcommands({});
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (!commands[i]->parsed()) continue;
+    const auto status = runs[i]();
+    return status ? *status : Complain(ToString(status.error()), kExitBadInput);
+  }
+  return kExitBadInput;
+}
+
+}  // namespace
+}  // namespace tautline::cli
+
+int main(int argc, char** argv) {
+  try {
+    return tautline::cli::Main(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "tautline: out of memory: the scene is too large for this machine\n");
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "tautline: a fault of tautline's own, please report it with the scene: %s\n", fault.what());
+  }
+  return tautline::cli::kExitFault;
+}

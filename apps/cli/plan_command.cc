@@ -1,0 +1,142 @@
+// `tautline plan`: the shortest motion that the tether allows.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/common_options.h"
+#include "apps/cli/describe.h"
+#include "apps/cli/exit_status.h"
+#include "apps/cli/json_values.h"
+#include "apps/cli/required_parts.h"
+#include "apps/cli/verification.h"
+#include "tautline/draw/draw_plan.h"
+#include "tautline/planners/tether/tether_planner.h"
+#include "tautline/planners/tether/verify_plan.h"
+
+namespace tautline::cli {
+namespace {
+
+struct PlanCommand {
+  CommonOptions common;
+  PlanOptions options;
+};
+
+std::string StatusText(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kSolved: return "solved";
+    case PlanStatus::kInfeasible: return "infeasible";
+    case PlanStatus::kBudgetExceeded: return "budget_exceeded";
+  }
+  return "";
+}
+
+/// A motion as JSON: its path, and its tether with the limit.
+void AddMotion(const JsonValues& values, const Motion& motion, double limit, Json& json) {
+  json["path"] = values.Of(motion.path.points);
+  json["length"] = motion.path.length;
+  json["path_word"] = values.Of(motion.path.word);
+  json["tether"] = values.Of(motion.tether, "taut");
+  json["tether"]["limit"] = limit;
+}
+
+Json ToJson(const PlanResult& result, const FreeSpace& space) {
+  const JsonValues values(space);
+  Json json;
+  json["command"] = "plan";
+  json["status"] = StatusText(result.status);
+  if (result.status != PlanStatus::kSolved) {
+    json["reason"] = result.status == PlanStatus::kBudgetExceeded ? "budget_exceeded" : ToString(result.obstruction);
+    json["explanation"] = result.explanation;
+  }
+  if (result.motion) AddMotion(values, *result.motion, result.limit, json);
+  if (!result.start.points.empty()) json["start"] = values.Of(result.start, "taut");
+  if (result.shortest_tether) {
+    json["shortest_tether"] = result.shortest_tether->length;
+    json["shortest_tether_class"] = values.Of(*result.shortest_tether, "taut");
+  }
+  if (result.rejected) AddMotion(values, *result.rejected, result.limit, json["rejected"]);
+  if (!result.all.empty() || result.all_complete) {
+    json["all"] = Json::array();
+    for (const Motion& motion : result.all) AddMotion(values, motion, result.limit, json["all"].emplace_back());
+    json["all_complete"] = result.all_complete;
+  }
+  return json;
+}
+
+void DescribeAll(const PlanResult& result, const std::vector<std::string>& names, std::string& text) {
+  if (result.all.empty()) return;
+  text += fmt::format("\n{} classes that the tether allows{}, shortest motion first:\n", result.all.size(),
+                      result.all_complete ? "" : " (there are more: the budget ran out)");
+  for (std::size_t i = 0; i < result.all.size(); ++i) {
+    text += fmt::format("  {:3}  path {:>10}  tether {:>10}  class {}\n", i + 1, Metres(result.all[i].path.length),
+                        Metres(result.all[i].tether.length), Describe(result.all[i].tether.word, names));
+  }
+}
+
+std::string ToText(const PlanResult& result, const FreeSpace& space) {
+  const std::vector<std::string> names = NamesOf(space);
+  std::string text;
+  if (result.motion) {
+    const Motion& motion = *result.motion;
+    text += fmt::format("Solved: the robot moves {}.\n", Metres(motion.path.length));
+    text += fmt::format("  path     {}\n", Describe(motion.path.points));
+    text += fmt::format("  tether   at the goal {} of {} are needed, class {}\n", Metres(motion.tether.length),
+                        Metres(result.limit), Describe(motion.tether.word, names));
+  } else {
+    text += fmt::format("{}: {}.\n", result.status == PlanStatus::kInfeasible ? "No motion" : "Stopped", result.explanation);
+  }
+  if (!result.start.points.empty()) {
+    text += fmt::format("  start    the cable as laid, pulled taut: {}, class {}\n", Metres(result.start.length),
+                        Describe(result.start.word, names));
+  }
+  if (result.shortest_tether) {
+    text += fmt::format("  needed   a tether of {}: {}\n", Metres(result.shortest_tether->length),
+                        Describe(result.shortest_tether->points));
+  }
+  if (result.rejected) {
+    const Motion& shorter = *result.rejected;
+    text += fmt::format(
+        "  rejected the shortest way of {} would wind the tether to class {}: that needs {}, {} more than there is\n",
+        Metres(shorter.path.length), Describe(shorter.tether.word, names), Metres(shorter.tether.length),
+        Metres(shorter.tether.length - result.limit));
+  }
+  DescribeAll(result, names, text);
+  return text;
+}
+
+int StatusOf(const PlanResult& result) { return result.status == PlanStatus::kSolved ? kExitSolved : kExitInfeasible; }
+
+Expected<int> RunPlan(const PlanCommand& command) {
+  const auto scene = ReadScene(command.common);
+  if (!scene) return tl::unexpected(scene.error());
+  if (const auto missing = MissingTetherOrGoal(*scene)) return tl::unexpected(*missing);
+  const auto planner = TetherPlanner::Prepare(scene->world);
+  if (!planner) return tl::unexpected(planner.error());
+  const PlanResult result = planner->Plan(*scene->tether, *scene->goal, command.options);
+  const FreeSpace& space = planner->space().free_space();
+  Json json = ToJson(result, space);
+  std::string text = ToText(result, space);
+  if (MustVerify(command.common)) {
+    const Verification verification = VerifyPlan(*planner, *scene->tether, *scene->goal, result);
+    ReportVerification(verification.faults, verification.curves, json, text);
+  }
+  const auto draw = [&] { return DrawPlan(*scene, space, result); };
+  return Deliver(command.common, {.json = json, .text = text, .draw = draw, .status = StatusOf(result)});
+}
+
+}  // namespace
+
+Run AddPlan(CLI::App& app) {
+  const auto command = std::make_shared<PlanCommand>();
+  CLI::App* sub = app.add_subcommand("plan", "the shortest motion of the tethered robot that its tether allows");
+  AddCommonOptions(*sub, command->common);
+  sub->add_flag("--all", command->options.all, "also list every class of the goal that the tether allows");
+  sub->add_option("--budget", command->options.budget, "search steps after which to stop")->check(CLI::PositiveNumber);
+  sub->footer(
+      "Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n"
+      "Exit status: 0 solved, 2 bad input, 3 no solution (with the reason).");
+  return [command] { return RunPlan(*command); };
+}
+
+}  // namespace tautline::cli

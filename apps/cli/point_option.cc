@@ -1,0 +1,18 @@
+#include "apps/cli/point_option.h"
+
+#include <locale>
+#include <sstream>
+
+namespace tautline::cli {
+
+Expected<Point> ParsePoint(const std::string& text, const std::string& option) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  Point p;
+  char comma = 0;
+  if (stream >> p.x >> comma >> p.y && comma == ',' && stream.eof() && IsFinite(p)) return p;
+  return InvalidInput("'" + text + "' is not a point; give two numbers with a comma between, such as " + option + " 2,3.5",
+                      option);
+}
+
+}  // namespace tautline::cli

@@ -1,0 +1,81 @@
+# The functions with which each folder of tautline declares its library, its tests and its fuzz targets.
+
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+include(GoogleTest)
+
+# tautline_library(NAME geometry
+#   HEADERS polygon.h ...       every header of the folder that belongs to this library
+#   SOURCES polygon.cc ...      none: a header-only library
+#   DEPENDS base ...            libraries of tautline, by their short names
+#   LINK Boost::headers ...     external targets that its headers need
+#   PRIVATE_LINK PNG::PNG ...   external targets that only its sources need
+#   NATIVE)                     needs a native library: installed, but found only with COMPONENTS native
+#
+# Makes the target tautline_geometry, known to all as tautline::geometry, and installs it.
+function(tautline_library)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "NATIVE" "NAME" "HEADERS;SOURCES;DEPENDS;LINK;PRIVATE_LINK")
+  set(target tautline_${arg_NAME})
+  if(arg_SOURCES)
+    set(scope PUBLIC)
+    add_library(${target} ${arg_SOURCES})
+    target_link_libraries(${target} PRIVATE ${arg_PRIVATE_LINK})
+  else()
+    set(scope INTERFACE)
+    add_library(${target} INTERFACE)
+  endif()
+  add_library(tautline::${arg_NAME} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${arg_NAME})
+
+  list(TRANSFORM arg_DEPENDS PREPEND tautline::)
+  target_link_libraries(${target} ${scope} ${arg_DEPENDS} ${arg_LINK})
+  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}" FILES ${arg_HEADERS})
+  target_compile_features(${target} ${scope} cxx_std_20)
+  # Fused multiply-add changes the sign of predicates, also of those inlined into a user's code.
+  target_compile_options(${target} ${scope} -ffp-contract=off)
+  target_compile_definitions(${target} ${scope} $<$<BOOL:${TAUTLINE_VERIFY}>:TAUTLINE_VERIFY>)
+
+  set(export tautlineTargets)
+  if(arg_NATIVE)
+    set(export tautlineNativeTargets)
+  endif()
+  install(TARGETS ${target} EXPORT ${export} FILE_SET HEADERS)
+endfunction()
+
+# tautline_test(NAME geometry_test SOURCES polygon_test.cc ... LINK tautline::geometry ...)
+#
+# One GoogleTest program per folder; its tests run in the root of the repository as geometry/Suite.Name.
+function(tautline_test)
+  if(NOT TAUTLINE_BUILD_TESTS)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;LINK")
+  set(target tautline_${arg_NAME})
+  add_executable(${target} ${arg_SOURCES})
+  target_link_libraries(${target} PRIVATE ${arg_LINK} GTest::gmock GTest::gtest_main rapidcheck_gtest)
+  string(REGEX REPLACE "_test$" "/" prefix ${arg_NAME})
+  gtest_discover_tests(
+    ${target}
+    TEST_PREFIX ${prefix}
+    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
+    DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS unit)
+endfunction()
+
+# tautline_fuzzer(NAME scene_fuzz SOURCES scene_fuzz.cc LINK tautline::scene ...)
+function(tautline_fuzzer)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;LINK")
+  add_executable(${arg_NAME} ${arg_SOURCES})
+  target_link_libraries(${arg_NAME} PRIVATE ${arg_LINK} -fsanitize=fuzzer)
+endfunction()
+
+# Installs tautlineConfig.cmake, after all libraries are declared.
+function(tautline_install_package)
+  set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/tautline)
+  foreach(export tautlineTargets tautlineNativeTargets)
+    install(EXPORT ${export} NAMESPACE tautline:: DESTINATION ${folder})
+  endforeach()
+  set(version_file "${PROJECT_BINARY_DIR}/tautlineConfigVersion.cmake")
+  write_basic_package_version_file("${version_file}" COMPATIBILITY SameMinorVersion)
+  install(FILES "${PROJECT_SOURCE_DIR}/cmake/tautlineConfig.cmake" "${version_file}" DESTINATION ${folder})
+endfunction()

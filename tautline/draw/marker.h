@@ -1,0 +1,34 @@
+// Symbols of a picture.
+#ifndef TAUTLINE_DRAW_MARKER_H_
+#define TAUTLINE_DRAW_MARKER_H_
+
+#include <string>
+
+#include "tautline/draw/svg_writer.h"
+
+namespace tautline {
+
+enum class Marker {
+  kBase,       ///< A socket: where the tether is tied.
+  kRobot,      ///< A disc: where the robot stands.
+  kGoal,       ///< A flag, its foot on the goal.
+  kPoint,      ///< A small ring: any other point.
+  kBlocked,    ///< A forbidding sign: what cannot be there.
+  kTetherEnd,  ///< A cross: where a tether ends.
+  kSnap,       ///< A diamond: boundaries joined.
+};
+
+/// Draws a symbol of about 16 pixels at a point.
+void DrawMarker(SvgWriter& svg, Marker marker, Point at);
+
+/// The room that a symbol takes.
+Box MarkerBox(Marker marker, Point at);
+
+/// A number in a disc with a coloured edge.
+void DrawBadge(SvgWriter& svg, const std::string& number, Point at, const std::string& colour);
+
+inline constexpr double kBadgeRadius = 8.5;  ///< Pixels.
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_DRAW_MARKER_H_

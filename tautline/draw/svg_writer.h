@@ -1,0 +1,99 @@
+// A small writer of SVG: shapes, text and groups in pixels, y down, with compact and reproducible
+// bytes.
+#ifndef TAUTLINE_DRAW_SVG_WRITER_H_
+#define TAUTLINE_DRAW_SVG_WRITER_H_
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "tautline/geometry/polygon.h"
+
+namespace tautline {
+
+/// `text` fit to stand in XML: the five special characters escaped, control characters and broken
+/// UTF-8 replaced.
+std::string EscapeXml(std::string_view text);
+
+/// How a shape is painted. Colours are CSS colours; "none" paints nothing.
+struct SvgStyle {
+  std::string fill = "none";
+  std::string stroke = "none";
+  double width = 1;         ///< Of the stroke, pixels.
+  std::string dashes = "";  ///< Lengths of dashes and gaps, pixels: "6 3".
+};
+
+/// The fill that DefineHatch defines.
+inline constexpr char kHatchFill[] = "url(#tautline-hatch)";
+
+enum class TextAnchor { kStart, kMiddle, kEnd };
+
+struct SvgText {
+  Point at;  ///< The start, middle or end of the base line, by `anchor`.
+  std::string text;
+  double size = 12;  ///< Pixels.
+  TextAnchor anchor = TextAnchor::kStart;
+  bool bold = false;
+  bool italic = false;
+  std::string fill = "#1a1a1a";
+  std::string halo = "";  ///< Colour of an outline around the letters; "": none.
+};
+
+/// Builds one SVG document. All coordinates are pixels with y down; points that are not finite are
+/// left out.
+class SvgWriter {
+ public:
+  struct Options {
+    double width = 1000;     ///< Pixels.
+    double height = 600;     ///< Pixels.
+    int decimals = 2;        ///< Of coordinates; 1 keeps drawings of large maps lean.
+    std::string title = "";  ///< Read out by screen readers.
+  };
+  explicit SvgWriter(const Options& options);
+
+  /// A group that names its layer; groups may be nested and must be closed.
+  void OpenGroup(std::string_view layer);
+  void CloseGroup();
+
+  /// A group that shows only what lies inside of `window`.
+  void OpenWindow(std::string_view layer, const Box& window);
+  void CloseWindow();
+
+  /// Defines a pattern of diagonal lines; SvgStyle::fill = kHatchFill uses it.
+  void DefineHatch(std::string_view ground, std::string_view line);
+
+  /// The closed rings as one shape filled by the even-odd rule, so that rings inside of rings are
+  /// holes. Rings too small to see become dots.
+  void Polygon(std::span<const Ring> rings, const SvgStyle& style);
+  void Polylines(std::span<const Polyline> lines, const SvgStyle& style);
+  void Polyline(std::span<const Point> line, const SvgStyle& style);
+
+  /// A smooth curve from the first to the last point that is pulled towards the points between (a
+  /// quadratic B-spline).
+  void Smooth(std::span<const Point> points, const SvgStyle& style);
+
+  void Circle(Point centre, double radius, const SvgStyle& style);
+  void Rectangle(const Box& box, const SvgStyle& style, double corner_radius = 0);
+
+  /// A filled arrow head with its middle at `middle` and its tip towards `direction`.
+  void ArrowHead(Point middle, Point direction, double size, const SvgStyle& style);
+
+  void Text(const SvgText& text);
+
+  /// The whole document; the writer is used up.
+  std::string Finish();
+
+ private:
+  void Path(const std::string& data, const SvgStyle& style, bool even_odd);
+  void AppendStyle(const SvgStyle& style);
+  std::string Number(double value) const;
+  std::string Pair(Point p) const;
+
+  std::string out_;
+  int decimals_;
+  int open_ = 0;
+};
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_DRAW_SVG_WRITER_H_

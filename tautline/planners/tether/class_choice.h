@@ -1,0 +1,33 @@
+// The choice of the goal's homotopy class: shortest path first, subject to the tether.
+#ifndef TAUTLINE_PLANNERS_TETHER_CLASS_CHOICE_H_
+#define TAUTLINE_PLANNERS_TETHER_CLASS_CHOICE_H_
+
+#include <cstdint>
+#include <optional>
+
+#include "tautline/homotopy/goal_field.h"
+#include "tautline/homotopy/taut_space.h"
+
+namespace tautline {
+
+struct ClassChoiceOptions {
+  double max_tether = 0;           ///< Metres, from the walk's start.
+  std::int64_t budget = 5'000'000;  ///< Labels after which the search gives up.
+};
+
+/// What the search found. Without a path and without budget_exceeded, none exists: the search was exhausted.
+struct ClassChoice {
+  std::optional<Polyline> path;  ///< From the robot to the goal, taut.
+  std::int64_t labels = 0;       ///< Settled labels.
+  bool budget_exceeded = false;
+};
+
+/// The shortest path from the end of `laid` (the cable, walked from the base) to the goal of `field` such that the taut
+/// tether at the goal is no longer than max_tether. Requires that the laid cable, pulled taut, fits. Exact. The number
+/// of labels is bounded by the Pareto-optimal (path, tether) pairs per directed edge of the visibility graph.
+ClassChoice ChooseClass(const TautSpace& space, const Walk& laid, const GoalField& field,
+                        const ClassChoiceOptions& options);
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_PLANNERS_TETHER_CLASS_CHOICE_H_

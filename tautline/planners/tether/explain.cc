@@ -1,0 +1,69 @@
+#include "tautline/planners/tether/explain.h"
+
+#include <array>
+#include <cstdio>
+
+namespace tautline {
+namespace {
+
+std::string Number(double value) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+std::string Metres(double value) { return Number(value) + " m"; }
+
+std::string At(Point p) { return "(" + Number(p.x) + ", " + Number(p.y) + ")"; }
+
+/// "inside an obstacle", with the clearance when there is one.
+std::string InsideObstacle(const TautSpace& space) {
+  const double clearance = space.free_space().clearance;
+  if (clearance <= 0) return "inside an obstacle or a wall";
+  return "inside an obstacle or a wall, or closer to one than the clearance of " + Metres(clearance);
+}
+
+}  // namespace
+
+std::string ToString(PlanObstruction obstruction) {
+  switch (obstruction) {
+    case PlanObstruction::kNone: return "";
+    case PlanObstruction::kStartBlocked: return "start_blocked";
+    case PlanObstruction::kGoalBlocked: return "goal_blocked";
+    case PlanObstruction::kGoalUnreachable: return "goal_unreachable";
+    case PlanObstruction::kLaidCableBlocked: return "laid_cable_blocked";
+    case PlanObstruction::kLaidCableTooLong: return "laid_cable_too_long";
+    case PlanObstruction::kTetherTooShort: return "tether_too_short";
+  }
+  return "";
+}
+
+std::string ExplainGoalBlocked(const TautSpace& space, Point goal) {
+  return "the goal " + At(goal) + " lies " + InsideObstacle(space);
+}
+
+std::string ExplainLaidCable(const TautSpace& space, PlanObstruction obstruction, Point at) {
+  if (obstruction == PlanObstruction::kStartBlocked) {
+    return "the robot at " + At(at) + " stands " + InsideObstacle(space);
+  }
+  return "the cable as laid leaves the free ground at " + At(at) + ": that place is " + InsideObstacle(space);
+}
+
+std::string ExplainUnreachable(Point goal) {
+  return "the goal " + At(goal) + " and the robot are in parts of the free ground that are not connected";
+}
+
+std::string ExplainLaidTooLong(double taut_length, double limit) {
+  return "the cable as laid needs " + Metres(taut_length) + " when pulled taut, but the tether has only " + Metres(limit);
+}
+
+std::string ExplainTooShort(const TautSpace& space, const TautPath& shortest, double limit) {
+  return "the tether of " + Metres(limit) + " is " + Metres(shortest.length - limit) + " too short: the goal needs at least " +
+         Metres(shortest.length) + ", in the class '" + ToString(shortest.word, space.rays().names()) + "'";
+}
+
+std::string ExplainBudget(std::int64_t budget) {
+  return "the search stopped after its budget of " + std::to_string(budget) + " steps without an answer";
+}
+
+}  // namespace tautline

@@ -1,0 +1,24 @@
+// A base that stands closer to a wall than the clearance.
+#ifndef TAUTLINE_PLANNERS_TETHER_SOCKET_H_
+#define TAUTLINE_PLANNERS_TETHER_SOCKET_H_
+
+#include <optional>
+
+#include "tautline/homotopy/taut_space.h"
+
+namespace tautline {
+
+/// Where the tether enters the grown free space.
+struct Socket {
+  Point base;
+  Place exit;              ///< In the grown free space; the base itself when that is free.
+  double stub_length = 0;  ///< From the base to the exit, metres; counts towards the tether.
+};
+
+/// The shortest straight way from the base to the grown free space of `space` that stays in `ungrown`, the free mesh of
+/// the same world without clearance. Nothing when the base stands inside an obstacle. O(n log n).
+std::optional<Socket> FindSocket(const TautSpace& space, const FreeMesh& ungrown, Point base);
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_PLANNERS_TETHER_SOCKET_H_

@@ -1,0 +1,40 @@
+// An independent check of a plan, by other means than those that found it.
+#ifndef TAUTLINE_PLANNERS_TETHER_VERIFY_PLAN_H_
+#define TAUTLINE_PLANNERS_TETHER_VERIFY_PLAN_H_
+
+#include <string>
+#include <vector>
+
+#include "tautline/planners/tether/plan.h"
+#include "tautline/planners/tether/tether_planner.h"
+
+namespace tautline {
+
+struct Verification {
+  std::vector<std::string> faults;  ///< What is wrong, one sentence each; empty when the plan holds.
+  int curves = 0;                   ///< Taut curves that were checked.
+  int samples = 0;                  ///< Places along the motion at which the tether was checked.
+
+  bool ok() const { return faults.empty(); }
+};
+
+struct VerifyOptions {
+  int samples = 32;  ///< Evenly spaced along the motion.
+};
+
+/// Checks every curve of the result against the boundary rings alone: each lies in the free space, is locally shortest
+/// (it bends only at boundary vertices, around the obstacle there), and has the length and the word that it claims, by
+/// a count of ray crossings of its own. By uniqueness of the taut curve in a class, matching words then prove that the
+/// start is the laid cable pulled taut and that the tether at the goal is the one that the motion leaves behind. Along
+/// the motion the tether is proposed by the engine, checked in the same way, and compared with the limit. For an
+/// infeasible result it checks the shortest tether that is named. O(samples * corners * n) for n boundary vertices.
+Verification VerifyPlan(const TetherPlanner& planner, const Tether& tether, Point goal, const PlanResult& result,
+                        const VerifyOptions& options = {});
+
+/// The checks of a single curve that VerifyPlan is made of: every fault of a taut curve in a free space. With a stub,
+/// the first segment is a socket's and only its length is checked.
+std::vector<std::string> CurveFaults(const FreeSpace& space, const TautPath& path, bool has_stub = false);
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_PLANNERS_TETHER_VERIFY_PLAN_H_

@@ -1,0 +1,21 @@
+// Numbers from text and to text, the same in every locale.
+#ifndef TAUTLINE_SCENE_NUMBER_TEXT_H_
+#define TAUTLINE_SCENE_NUMBER_TEXT_H_
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tautline {
+
+/// The double nearest to a decimal number such as "12", "-0.5", "+3.", ".25" or "1e-3"; infinity when it is too large
+/// for a double. Nothing when the whole text is not such a number: no blanks, no hexadecimal, no "inf", no "nan".
+/// O(length).
+std::optional<double> ParseNumber(std::string_view text);
+
+/// The shortest text that ParseNumber reads back as the same finite number: "0.1", "-3", "1e+30".
+std::string FormatNumber(double value);
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_SCENE_NUMBER_TEXT_H_

@@ -1,0 +1,153 @@
+#include "tautline/scene/world_reader.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "tautline/scene/ring_check.h"
+
+namespace tautline {
+namespace {
+
+/// A ring that bounds a region: three points or more, with an area, not crossing itself.
+Ring ReadRing(const Document& value, const std::string& what, FieldReader& reader) {
+  Ring ring = WithoutRepeats(reader.ReadPoints(value, what, 3));
+  if (reader.ok()) CheckRing(ring, what, value.position, reader);
+  return ring;
+}
+
+Circle ReadCircle(const Document& value, const std::string& what, FieldReader& reader) {
+  if (!value.is(Document::Kind::kList) || value.items.size() != 3) {
+    reader.Fail(value.position, what + " must be [x, y, radius], not " + Describe(value));
+    return {};
+  }
+  const Point centre{reader.ReadNumber(value.items[0], what), reader.ReadNumber(value.items[1], what)};
+  return {centre, reader.ReadPositive(value.items[2], what + " radius")};
+}
+
+bool IsStrictlyInside(const Obstacle& obstacle, Point p) {
+  return obstacle.polygon ? StrictlyInside(*obstacle.polygon, p)
+                          : Distance(obstacle.circle->centre, p) < obstacle.circle->radius;
+}
+
+void ReadShape(const Document& value, const std::string& what, FieldReader& reader, Obstacle& obstacle) {
+  const Document* polygon = value.Find("polygon");
+  const Document* circle = value.Find("circle");
+  if ((polygon == nullptr) == (circle == nullptr)) {
+    return reader.Fail(value.position, what + " must have exactly one of 'polygon' and 'circle'");
+  }
+  if (polygon != nullptr) {
+    obstacle.polygon = PolygonWithHoles{ReadRing(*polygon, what + ".polygon", reader), {}};
+  } else {
+    obstacle.circle = ReadCircle(*circle, what + ".circle", reader);
+  }
+}
+
+Obstacle ReadObstacle(const Document& value, const std::string& what, FieldReader& reader) {
+  Obstacle obstacle;
+  if (!reader.IsMap(value, what)) return obstacle;
+  reader.KnownKeys(value, what, {"name", "polygon", "circle", "representative"});
+  if (const Document* name = value.Find("name")) obstacle.name = reader.ReadName(*name, what + ".name");
+  ReadShape(value, what, reader, obstacle);
+  if (const Document* point = value.Find("representative")) {
+    obstacle.representative = reader.ReadPoint(*point, what + ".representative");
+    if (reader.ok() && !IsStrictlyInside(obstacle, *obstacle.representative)) {
+      reader.Fail(point->position, what + ".representative " + ToText(*obstacle.representative) +
+                                       " does not lie strictly inside the obstacle: move it or leave it out");
+    }
+  }
+  return obstacle;
+}
+
+/// Hands out names: those that are given, each once, and o1, o2, ... for the rest.
+class ObstacleNames {
+ public:
+  bool Take(const std::string& name) { return taken_.insert(name).second; }
+
+  /// The name for the obstacle at a position, from 1: the first one from o<position> on that is not taken.
+  std::string ByPosition(std::size_t position) {
+    next_ = std::max(next_, position);
+    while (!Take("o" + std::to_string(next_))) ++next_;
+    return "o" + std::to_string(next_);
+  }
+
+  /// The name itself, or with _2, _3, ... behind it when it is taken.
+  std::string Variant(const std::string& name) {
+    if (Take(name)) return name;
+    std::size_t& count = counts_[name];
+    do {
+      count = std::max<std::size_t>(count + 1, 2);
+    } while (!Take(name + "_" + std::to_string(count)));
+    return name + "_" + std::to_string(count);
+  }
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, std::size_t> counts_;
+  std::size_t next_ = 1;
+};
+
+/// Map obstacles keep the names of the map as far as the scene has not taken them.
+void NameObstacles(std::vector<Obstacle>& obstacles, ObstacleNames& names) {
+  for (Obstacle& obstacle : obstacles) {
+    if (obstacle.from_map && !obstacle.name.empty()) obstacle.name = names.Variant(obstacle.name);
+  }
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    if (obstacles[i].name.empty()) obstacles[i].name = names.ByPosition(i + 1);
+  }
+}
+
+void ReadObstacles(const Document& value, FieldReader& reader, ObstacleNames& names, World& world) {
+  const std::string what = "world.obstacles";
+  if (!reader.IsList(value, what)) return;
+  for (std::size_t i = 0; i < value.items.size() && reader.ok(); ++i) {
+    world.obstacles.push_back(ReadObstacle(value.items[i], Element(what, i), reader));
+    const std::string& name = world.obstacles.back().name;
+    if (!name.empty() && !names.Take(name)) {
+      reader.Fail(value.items[i].position, "two obstacles are named " + Quoted(name) + ": rename one");
+    }
+  }
+}
+
+void LoadMap(const Document& value, FieldReader& reader, const MapLoader& load_map, World& world) {
+  const std::string name = reader.ReadText(value, "world.map");
+  if (!reader.ok()) return;
+  if (!load_map) return reader.Fail(value.position, "world.map cannot be opened here", ErrorCode::kUnsupported);
+  auto map = load_map(name);
+  if (!map) {
+    if (map.error().code != ErrorCode::kUnreadable) return reader.Fail(map.error());
+    return reader.Fail(value.position, "the map " + ToString(map.error()), ErrorCode::kUnreadable);
+  }
+  world.outline = std::move(map->outline);
+  for (Obstacle& obstacle : map->obstacles) world.obstacles.push_back(std::move(obstacle));
+  map->source.path = name;
+  world.map = std::move(map->source);
+  world.cells = std::move(map->cells);
+}
+
+}  // namespace
+
+World ReadWorld(const Document& document, FieldReader& reader, const MapLoader& load_map) {
+  World world;
+  if (!reader.IsMap(document, "world")) return world;
+  reader.KnownKeys(document, "world", {"map", "outline", "obstacles", "clearance", "snap"});
+  const Document* map = document.Find("map");
+  const Document* outline = document.Find("outline");
+  if ((map == nullptr) == (outline == nullptr)) {
+    reader.Fail(document.position, "world must have exactly one of 'map' and 'outline'");
+  }
+  if (const Document* value = document.Find("clearance")) {
+    world.clearance = reader.ReadNonNegative(*value, "world.clearance");
+  }
+  if (const Document* value = document.Find("snap")) world.snap = reader.ReadNonNegative(*value, "world.snap");
+  if (outline != nullptr) world.outline = ReadRing(*outline, "world.outline", reader);
+  ObstacleNames names;
+  if (const Document* value = document.Find("obstacles")) ReadObstacles(*value, reader, names, world);
+  if (map != nullptr) LoadMap(*map, reader, load_map, world);
+  if (reader.ok()) NameObstacles(world.obstacles, names);
+  return world;
+}
+
+}  // namespace tautline

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Runs the cases of tests/cases through the program and compares with the answers stored in them.
+
+run_cases.py PROGRAM [NAME_PREFIX...]
+
+A case is a JSON file: `command` (a list), `scene`, `expect`, `tolerance` (relative, for every length) and
+a `note`. What `expect` may hold is what `difference` looks for."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+EXIT_STATUS = {"solved": 0, "infeasible": 3, "budget_exceeded": 3}
+TIMEOUT_S = 120
+
+
+def close(a, b, tolerance):
+    return abs(a - b) <= tolerance * max(1.0, abs(b))
+
+
+def ask(program, scene, command):
+    """The program's JSON answer to a command on a scene; ValueError when it gives none."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "scene.json")
+        path.write_text(json.dumps(scene))
+        process = subprocess.run([program, command[0], path, *command[1:], "--json"],
+                                 capture_output=True, text=True, timeout=TIMEOUT_S)
+    try:
+        answer = json.loads(process.stdout)
+    except ValueError:
+        raise ValueError(f"exit {process.returncode}: {process.stderr.strip()[:200]}") from None
+    if process.returncode != EXIT_STATUS[answer["status"]]:
+        raise ValueError(f"exit {process.returncode} with status {answer['status']}")
+    return answer
+
+
+def words_by_length(lengths, words, tolerance):
+    """Groups of equal length, each with its words sorted: classes of one length may come in any order."""
+    groups = []
+    for length, word in zip(lengths, words):
+        if not groups or not close(length, groups[-1][0], tolerance):
+            groups.append((length, []))
+        groups[-1][1].append(word)
+    return [sorted(group) for _, group in groups]
+
+
+def class_difference(got, want, tolerance):
+    """The first way in which a list of classes differs from what is expected, or None."""
+    lengths = [c["length"] for c in got]
+    if "count" in want and len(got) != want["count"]:
+        return f"{len(got)} classes, wanted {want['count']}"
+    for i, (a, b) in enumerate(zip(lengths, want.get("lengths", []))):
+        if not close(a, b, tolerance):
+            return f"length {a} of class {i}, wanted {b}"
+    if "words" in want:
+        found = words_by_length(want["lengths"], [c["word"] for c in got], tolerance)
+        wanted = words_by_length(want["lengths"], want["words"], tolerance)
+        if found != wanted:
+            return f"words {found}, wanted {wanted}"
+    return None
+
+
+def difference(got, want, tolerance):
+    """The first way in which an answer differs from what is expected, or None."""
+    if "classes" in got:
+        return class_difference(got["classes"], want, tolerance)
+    for key in ("status", "word", "homology"):
+        if key in want and got.get(key) != want[key]:
+            return f"{key} {got.get(key)}, wanted {want[key]}"
+    if "length" in want and not close(got["length"], want["length"], tolerance):
+        return f"length {got['length']}, wanted {want['length']}"
+    if "words" in want and got["tether"]["word"] not in want["words"]:
+        return f"word at the goal {got['tether']['word']}, wanted one of {want['words']}"
+    return None
+
+
+def report(results):
+    """Prints the (name, fault or None) pairs that have a fault; the exit status."""
+    faults = [(name, why) for name, why in results if why]
+    for name, why in faults:
+        print(f"{name}: {why}")
+    print(f"{len(results) - len(faults)} of {len(results)} agree")
+    return 1 if faults or not results else 0
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    program, prefixes = sys.argv[1], tuple(sys.argv[2:]) or ("",)
+    results = []
+    for path in sorted(pathlib.Path(__file__).parent.glob("cases/*.json")):
+        if not path.name.startswith(prefixes):
+            continue
+        case = json.loads(path.read_text())
+        try:
+            answer = ask(program, case["scene"], case["command"])
+            why = difference(answer, case["expect"], case["tolerance"])
+        except (ValueError, KeyError, subprocess.TimeoutExpired) as error:
+            why = f"{type(error).__name__}: {error}"
+        results.append((path.name, why))
+    sys.exit(report(results))
+
+
+if __name__ == "__main__":
+    main()
