@@ -12,6 +12,7 @@
 #include "apps/cli/point_option.h"
 #include "apps/cli/verification.h"
 #include "tautline/draw/draw_classes.h"
+#include "tautline/homotopy/word_path.h"
 #include "tautline/planners/tether/explain.h"
 #include "tautline/planners/tether/tether_planner.h"
 #include "tautline/planners/tether/verify_plan.h"
@@ -27,6 +28,7 @@ struct ClassesCommand {
   ClassOptions options;
   std::string from;
   std::string to;
+  std::optional<std::string> word;
 };
 
 /// The question with its ends filled in.
@@ -34,10 +36,11 @@ struct Question {
   Point from;
   Point to;
   ClassOptions options;
+  std::optional<std::string> word;  ///< Only the class of this word.
 };
 
 Expected<Question> Ask(const ClassesCommand& command, const Scene& scene) {
-  Question question{{}, {}, command.options};
+  Question question{{}, {}, command.options, command.word};
   if (command.from.empty() && !scene.tether) {
     return InvalidInput("no start; give --from X,Y or add a tether with its base to the scene", scene.path);
   }
@@ -64,18 +67,35 @@ struct Found {
   std::string explanation;
 };
 
-Found Find(const TetherPlanner& planner, const Question& question) {
+/// The one class of a word. Errors: a name that no obstacle has.
+Expected<Found> FindWord(const TetherPlanner& planner, const Socket& socket, Place goal, const Question& question) {
+  const auto word = ParseWord(*question.word, planner.space().rays().names());
+  if (!word) return InvalidInput(word.error().message, "--word");
+  // The word counts from the start on; the stub of a socket has written some of it when the walk begins.
+  const Point stub[] = {socket.base, socket.exit.point};
+  const Word from_exit = planner.space().rays().WordOf(stub).Inverse() * *word;
+  WordPath found = FindWordPath(planner.space(), socket.exit, goal, from_exit, {.budget = question.options.budget});
+  if (!found.path) {
+    if (found.budget_exceeded) return Found{{{}, false, true}, "", ""};
+    return Found{{}, "no_such_class", "no path between these points has the word '" + *question.word + "'"};
+  }
+  if (socket.stub_length > 0) found.path->points.insert(found.path->points.begin(), socket.base);
+  return Found{{{planner.space().MakePath(std::move(found.path->points))}, true, false}, "", ""};
+}
+
+Expected<Found> Find(const TetherPlanner& planner, const Question& question) {
   const TautSpace& space = planner.space();
   const auto socket = FindSocket(space, planner.ungrown(), question.from);
   const auto goal = space.Locate(question.to);
   if (!socket) {
-    return {{}, "start_blocked", ExplainLaidCable(space, PlanObstruction::kStartBlocked, question.from)};
+    return Found{{}, "start_blocked", ExplainLaidCable(space, PlanObstruction::kStartBlocked, question.from)};
   }
-  if (!goal) return {{}, "goal_blocked", ExplainGoalBlocked(space, question.to)};
+  if (!goal) return Found{{}, "goal_blocked", ExplainGoalBlocked(space, question.to)};
   if (space.mesh().ComponentOf(socket->exit.triangle) != space.mesh().ComponentOf(goal->triangle)) {
-    return {{}, "goal_unreachable", ExplainUnreachable(question.to)};
+    return Found{{}, "goal_unreachable", ExplainUnreachable(question.to)};
   }
-  return {planner.TethersTo(*socket, *goal, question.options), "", ""};
+  if (question.word) return FindWord(planner, *socket, *goal, question);
+  return Found{planner.TethersTo(*socket, *goal, question.options), "", ""};
 }
 
 Json ToJson(const Found& found, const FreeSpace& space) {
@@ -95,10 +115,14 @@ Json ToJson(const Found& found, const FreeSpace& space) {
 
 std::string ToText(const Found& found, const Question& question, const FreeSpace& space) {
   if (!found.reason.empty()) return fmt::format("No class: {}.\n", found.explanation);
+  if (question.word && found.list.budget_exceeded) {
+    return fmt::format("The class of '{}' was not found within the budget; raise --budget.\n", *question.word);
+  }
   const std::vector<std::string> names = NamesOf(space);
   const std::size_t count = found.list.classes.size();
   std::string text = fmt::format("{} class{}", count, count == 1 ? "" : "es");
-  if (question.options.max_length) text += fmt::format(" up to {}", Metres(*question.options.max_length));
+  if (question.word) text += fmt::format(" of the word '{}'", *question.word);
+  if (question.options.max_length && !question.word) text += fmt::format(" up to {}", Metres(*question.options.max_length));
   if (!found.list.complete) text += found.list.budget_exceeded ? ", more exist: the budget ran out" : ", longer ones exist";
   text += count == 0 ? ".\n" : ":\n";
   for (std::size_t i = 0; i < count; ++i) {
@@ -130,7 +154,9 @@ Expected<int> RunClasses(const ClassesCommand& command) {
   if (!question) return tl::unexpected(question.error());
   const auto planner = TetherPlanner::Prepare(scene->world);
   if (!planner) return tl::unexpected(planner.error());
-  const Found found = Find(*planner, *question);
+  const auto asked = Find(*planner, *question);
+  if (!asked) return tl::unexpected(asked.error());
+  const Found& found = *asked;
   const FreeSpace& space = planner->space().free_space();
   Json json = ToJson(found, space);
   std::string text = ToText(found, *question, space);
@@ -156,6 +182,7 @@ Run AddClasses(CLI::App& app) {
       ->type_name("METRES")
       ->check(CLI::NonNegativeNumber);
   sub->add_option("--count", command->options.max_count, "only so many, the shortest")->check(CLI::PositiveNumber);
+  sub->add_option("--word", command->word, "only the class of this ray word, such as \"a b^-1\"")->type_name("WORD");
   sub->add_option("--budget", command->options.budget, "search steps after which to stop")->check(CLI::PositiveNumber);
   sub->footer(
       "Example:\n  tautline classes scenes/two_ways.yaml --count 5 --svg classes.svg\n"

@@ -74,6 +74,19 @@ void DescribeAll(const PlanResult& result, const std::vector<std::string>& names
   }
 }
 
+/// The obstacles around which the rejected tether and the one of the answer wind differently: those that the loop of
+/// the two encloses.
+std::string EnclosedBetween(const PlanResult& result, const std::vector<std::string>& names) {
+  if (!result.motion) return "";
+  const Word loop = result.rejected->tether.word * result.motion->tether.word.Inverse();
+  const std::vector<int> winding = Abelianize(loop, names.size());
+  std::vector<std::string> enclosed;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (winding[i] != 0) enclosed.push_back(names[i]);
+  }
+  return fmt::format("{}", fmt::join(enclosed, ", "));
+}
+
 std::string ToText(const PlanResult& result, const FreeSpace& space) {
   const std::vector<std::string> names = NamesOf(space);
   std::string text;
@@ -96,10 +109,12 @@ std::string ToText(const PlanResult& result, const FreeSpace& space) {
   }
   if (result.rejected) {
     const Motion& shorter = *result.rejected;
+    const std::string enclosed = EnclosedBetween(result, names);
     text += fmt::format(
-        "  rejected the shortest way of {} would wind the tether to class {}: that needs {}, {} more than there is\n",
-        Metres(shorter.path.length), Describe(shorter.tether.word, names), Metres(shorter.tether.length),
-        Metres(shorter.tether.length - result.limit));
+        "  rejected the shortest way, {}, would need {} of tether, {} more than there is: it leaves the tether wound{}, "
+        "class {}\n",
+        Metres(shorter.path.length), Metres(shorter.tether.length), Metres(shorter.tether.length - result.limit),
+        enclosed.empty() ? " the wrong way" : " the wrong way around " + enclosed, Describe(shorter.tether.word, names));
   }
   DescribeAll(result, names, text);
   return text;

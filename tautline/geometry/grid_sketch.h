@@ -23,8 +23,9 @@ inline OccupancyGrid GridFromSketch(const std::vector<std::string_view>& rows) {
     for (int column = 0; column < width; ++column) {
       const char sign = text[static_cast<std::size_t>(column)];
       TAUTLINE_CHECK(sign == '#' || sign == '.' || sign == '?');
-      grid.cells[grid.index(column, row)] =
-          sign == '#' ? CellState::kBlocked : sign == '?' ? CellState::kUnknown : CellState::kFree;
+      grid.cells[grid.index(column, row)] = sign == '#'   ? CellState::kBlocked
+                                            : sign == '?' ? CellState::kUnknown
+                                                          : CellState::kFree;
     }
   }
   return grid;

@@ -33,8 +33,8 @@ Point LatticePoint(const OccupancyGrid& grid, int i, int j) {
 }
 
 std::vector<Point> GridOutline(const OccupancyGrid& grid) {
-  return {LatticePoint(grid, 0, 0), LatticePoint(grid, grid.columns, 0),
-          LatticePoint(grid, grid.columns, grid.rows), LatticePoint(grid, 0, grid.rows)};
+  return {LatticePoint(grid, 0, 0), LatticePoint(grid, grid.columns, 0), LatticePoint(grid, grid.columns, grid.rows),
+          LatticePoint(grid, 0, grid.rows)};
 }
 
 }  // namespace tautline

@@ -17,9 +17,9 @@ enum class CellState : std::uint8_t { kFree, kBlocked, kUnknown };
 struct OccupancyGrid {
   int columns = 0;
   int rows = 0;
-  double cell_m = 1;    ///< The side of a cell, metres.
-  Point origin;         ///< Metres, in the frame of the map.
-  double yaw_rad = 0;   ///< Counter-clockwise from the x axis.
+  double cell_m = 1;   ///< The side of a cell, metres.
+  Point origin;        ///< Metres, in the frame of the map.
+  double yaw_rad = 0;  ///< Counter-clockwise from the x axis.
   std::vector<CellState> cells;
 
   friend bool operator==(const OccupancyGrid&, const OccupancyGrid&) = default;

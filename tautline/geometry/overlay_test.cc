@@ -131,14 +131,16 @@ void ExpectCleanRings(const Overlay& overlay) {
     ASSERT_LT(ring.free, overlay.free_count);
     ASSERT_GE(ring.blocked, 0);
     ASSERT_LT(ring.blocked, overlay.blocked_count);
-    if (SignedArea(points) > 0) ++outers[static_cast<std::size_t>(ring.free)];
+    if (ring.area > 0) ++outers[static_cast<std::size_t>(ring.free)];
+    const Point size = BoundingBox(points).size();
+    ASSERT_NEAR(ring.area, SignedArea(points), 1e-12 * size.x * size.y);
   }
   ASSERT_TRUE(std::all_of(outers.begin(), outers.end(), [](int count) { return count == 1; }));
 }
 
 double FreeArea(const Overlay& overlay) {
   double area = 0;
-  for (const OverlayRing& ring : overlay.rings) area += SignedArea(ring.points);
+  for (const OverlayRing& ring : overlay.rings) area += ring.area;
   return area;
 }
 
@@ -196,6 +198,217 @@ TEST(Overlay, AgreesWithWindingNumbersOnRandomPolygons) {
     }
     if (testing::Test::HasFailure()) return;
   }
+}
+
+/// Lattice scenes by brute force: every cell of a lattice is cut by its diagonals into four triangles (south, east,
+/// north, west), none of which a lattice polygon cuts.
+class QuarterCells {
+ public:
+  static constexpr int kCells = 8;  ///< Along each side.
+
+  explicit QuarterCells(const Input& input) : free_sets_(kCount), blocked_sets_(kNodes) {
+    for (int quarter = 0; quarter < kCount; ++quarter) free_.push_back(FreeByInput(input, Inside(quarter)));
+    for (int quarter = 0; quarter < kCount; ++quarter) {
+      if (IsFree(quarter)) {
+        JoinFree(quarter);
+      } else {
+        const auto nodes = NodesOf(quarter);
+        blocked_sets_.Unite(nodes[0], nodes[1]);
+        blocked_sets_.Unite(nodes[0], nodes[2]);
+      }
+    }
+  }
+
+  int FreeComponents() {
+    std::set<std::size_t> roots;
+    for (int quarter = 0; quarter < kCount; ++quarter) {
+      if (IsFree(quarter)) roots.insert(free_sets_.Find(static_cast<std::size_t>(quarter)));
+    }
+    return static_cast<int>(roots.size());
+  }
+
+  int BlockedComponents() {
+    std::set<std::size_t> roots;
+    for (int quarter = 0; quarter < kCount; ++quarter) {
+      if (!IsFree(quarter)) roots.insert(blocked_sets_.Find(NodesOf(quarter)[0]));
+    }
+    return static_cast<int>(roots.size());
+  }
+
+  /// Names the blocked component around a lattice corner.
+  std::size_t BlockedAt(Point corner) {
+    return blocked_sets_.Find(CornerNode(static_cast<int>(corner.x), static_cast<int>(corner.y)));
+  }
+
+  double FreeArea() const { return 0.25 * static_cast<double>(std::count(free_.begin(), free_.end(), true)); }
+
+ private:
+  static constexpr int kCount = 4 * kCells * kCells;
+  static constexpr int kNodes = (kCells + 1) * (kCells + 1) + kCells * kCells;
+
+  static Point Inside(int quarter) {
+    constexpr std::array<Point, 4> kOffsets{{{0.5, 0.25}, {0.75, 0.5}, {0.5, 0.75}, {0.25, 0.5}}};
+    const int cell = quarter / 4;
+    return Point{1.0 * (cell % kCells), 1.0 * (cell / kCells)} + kOffsets[static_cast<std::size_t>(quarter % 4)];
+  }
+  static std::size_t CornerNode(int x, int y) { return static_cast<std::size_t>(y * (kCells + 1) + x); }
+
+  static std::array<std::size_t, 3> NodesOf(int quarter) {
+    const int cell = quarter / 4, x = cell % kCells, y = cell / kCells;
+    const std::array<std::size_t, 4> corners{CornerNode(x, y), CornerNode(x + 1, y), CornerNode(x + 1, y + 1),
+                                             CornerNode(x, y + 1)};
+    const auto side = static_cast<std::size_t>(quarter % 4);
+    return {corners[side], corners[(side + 1) % 4], CornerNode(0, kCells + 1) + static_cast<std::size_t>(cell)};
+  }
+
+  bool IsFree(int quarter) const { return free_[static_cast<std::size_t>(quarter)]; }
+
+  void JoinFree(int quarter) {
+    const int side = quarter % 4, cell = quarter / 4;
+    const auto join = [&](int other) {
+      if (IsFree(other)) free_sets_.Unite(static_cast<std::size_t>(quarter), static_cast<std::size_t>(other));
+    };
+    join(4 * cell + (side + 1) % 4);
+    join(4 * cell + (side + 3) % 4);
+    if (side == 1 && cell % kCells + 1 < kCells) join(4 * (cell + 1) + 3);
+    if (side == 2 && cell / kCells + 1 < kCells) join(4 * (cell + kCells) + 0);
+  }
+
+  std::vector<bool> free_;
+  DisjointSets free_sets_, blocked_sets_;
+};
+
+/// A rectangle (perhaps hollow), a diamond or a right triangle with corners on the lattice, off its border.
+PolygonWithHoles RandomLatticePolygon(Rng& rng) {
+  const int x = rng.UniformInt(1, 6), y = rng.UniformInt(1, 6);
+  const int width = rng.UniformInt(1, 7 - x), height = rng.UniformInt(1, 7 - y);
+  const Point low{1.0 * x, 1.0 * y}, high = low + Point{1.0 * width, 1.0 * height};
+  const int kind = rng.UniformInt(0, 3);
+  if (kind == 0 && std::min(width, height) >= 2) {
+    const double r = std::min(width, height) / 2;
+    const Point c = low + Point{r, r};
+    return {{c - Point{0, r}, c + Point{r, 0}, c + Point{0, r}, c - Point{r, 0}}, {}};
+  }
+  if (kind == 1) {
+    const double leg = std::min(width, height);
+    Ring corners = Rectangle(low, low + Point{leg, leg});
+    corners.erase(corners.begin() + rng.UniformInt(0, 3));
+    return {corners, {}};
+  }
+  PolygonWithHoles polygon{Rectangle(low, high), {}};
+  if (kind == 2 && std::min(width, height) >= 3) polygon.holes.push_back(Rectangle(low + Point{1, 1}, high - Point{1, 1}));
+  return polygon;
+}
+
+TEST(Overlay, CountsComponentsOfLatticeScenes) {
+  const std::int64_t count = ScaledTestCount(20000);
+  for (std::int64_t seed = 1; seed <= count; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(static_cast<std::uint64_t>(seed));
+    std::vector<PolygonWithHoles> polygons;
+    for (int i = rng.UniformInt(1, 9); i > 0; --i) polygons.push_back(RandomLatticePolygon(rng));
+    // The border of the lattice is wall.
+    const Input input = ToInput(Rectangle({1, 1}, {7, 7}), polygons);
+    const Overlay overlay = ComputeOverlay(input);
+    QuarterCells cells(input);
+    ASSERT_EQ(overlay.free_count, cells.FreeComponents());
+    ASSERT_EQ(overlay.blocked_count, cells.BlockedComponents());
+    ASSERT_EQ(FreeArea(overlay), cells.FreeArea());
+    ExpectCleanRings(overlay);
+    ExpectNoProperCrossings(overlay);
+    std::map<std::size_t, std::int32_t> numbers{{cells.BlockedAt({0, 0}), overlay.wall}};
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+      const std::int32_t number = overlay.blocked_of_source[i];
+      ASSERT_EQ(numbers.try_emplace(cells.BlockedAt(polygons[i].outer[0]), number).first->second, number);
+    }
+    for (const OverlayRing& ring : overlay.rings) {
+      ASSERT_EQ(numbers.at(cells.BlockedAt(ring.points[0])), ring.blocked);
+    }
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(Overlay, WithinBlockedGroundNothingMatters) {
+  // Needles thinner than the grid may come out turned around; they must not cut through what covers them.
+  const std::int64_t count = ScaledTestCount(3000);
+  const Box inner{{150, 150}, {850, 850}};
+  for (std::int64_t seed = 1; seed <= count; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(static_cast<std::uint64_t>(seed));
+    std::vector<PolygonWithHoles> polygons{{Rectangle({100, 100}, {900, 900}), {}}};
+    for (int i = rng.UniformInt(1, 6); i > 0; --i) {
+      const Point a = RandomPoint(rng, inner), b = RandomPoint(rng, inner);
+      const Point width = std::pow(10, rng.Uniform(-16, -9)) * Point{a.y - b.y, b.x - a.x};
+      polygons.push_back({{a, Lerp(a, b, rng.Uniform()) + width, b}, {}});
+    }
+    const Overlay overlay = ComputeOverlay(ToInput(Rectangle({0, 0}, {1000, 1000}), polygons));
+    ASSERT_EQ(overlay.rings.size(), 2u);
+    ASSERT_EQ(overlay.free_count, 1);
+    ASSERT_EQ(FreeArea(overlay), 1e6 - 64e4);
+  }
+}
+
+/// The rings as sets of points, in an order of their own.
+std::multiset<std::set<Point>> PointSets(const Overlay& overlay) {
+  std::multiset<std::set<Point>> sets;
+  for (const OverlayRing& ring : overlay.rings) sets.emplace(ring.points.begin(), ring.points.end());
+  return sets;
+}
+
+TEST(Overlay, ALoopThatWindsBackwardsErasesNothingElse) {
+  // A bow tie, of which one half winds clockwise, over a square.
+  const std::vector<CoverRing> cover{{Rectangle({2, 2}, {6, 6}), 0}, {{{3, 3}, {5, 5}, {5, 3}, {3, 5}}, 1}};
+  const Overlay overlay = ComputeOverlay(Rectangle({0, 0}, {8, 8}), cover, 2);
+  EXPECT_EQ(overlay.free_count, 1);
+  EXPECT_EQ(FreeArea(overlay), 64 - 16);
+}
+
+TEST(Overlay, TouchingObstaclesAreOneBlockedComponent) {
+  // Two squares share the corner (4, 4).
+  const std::vector<CoverRing> cover{{Rectangle({2, 2}, {4, 4}), 0}, {Rectangle({4, 4}, {6, 6}), 1}};
+  const Overlay overlay = ComputeOverlay(Rectangle({0, 0}, {8, 8}), cover, 2);
+  EXPECT_EQ(overlay.free_count, 1);
+  EXPECT_EQ(overlay.blocked_count, 2);
+  EXPECT_EQ(overlay.blocked_of_source[0], overlay.blocked_of_source[1]);
+  EXPECT_NE(overlay.blocked_of_source[0], overlay.wall);
+  ASSERT_EQ(overlay.rings.size(), 2u);
+  const std::size_t around = overlay.rings[0].area < 0 ? 0 : 1;
+  EXPECT_EQ(overlay.rings[around].points.size(), 8u) << "one ring goes through the corner twice";
+}
+
+TEST(Overlay, FreeGroundThatMeetsInAPointIsTwoComponents) {
+  // Two blocked squares in opposite corners of a box leave two free squares that share the middle.
+  const std::vector<CoverRing> cover{{Rectangle({0, 0}, {4, 4}), 0}, {Rectangle({4, 4}, {8, 8}), 1}};
+  const Overlay overlay = ComputeOverlay(Rectangle({0, 0}, {8, 8}), cover, 2);
+  EXPECT_EQ(overlay.free_count, 2);
+  EXPECT_EQ(overlay.blocked_count, 1);
+  const std::multiset<std::set<Point>> expected{{{0, 4}, {0, 8}, {4, 4}, {4, 8}}, {{4, 0}, {4, 4}, {8, 0}, {8, 4}}};
+  EXPECT_EQ(PointSets(overlay), expected);
+}
+
+TEST(Overlay, ACourtyardIsAComponentOfItsOwn) {
+  const std::vector<PolygonWithHoles> polygons{{Rectangle({1, 1}, {7, 7}), {Rectangle({2, 2}, {6, 6})}},
+                                               {Rectangle({3, 3}, {4, 4}), {}}};
+  const Overlay overlay = ComputeOverlay(ToInput(Rectangle({0, 0}, {8, 8}), polygons));
+  EXPECT_EQ(overlay.free_count, 2);
+  EXPECT_EQ(overlay.blocked_count, 3);
+  EXPECT_NE(overlay.blocked_of_source[0], overlay.blocked_of_source[1]);
+  EXPECT_EQ(FreeArea(overlay), 64 - 36 + 16 - 1);
+}
+
+TEST(Overlay, NothingLeftFree) {
+  const std::vector<CoverRing> cover{{Rectangle({-1, -1}, {9, 9}), 0}};
+  const Overlay overlay = ComputeOverlay(Rectangle({0, 0}, {8, 8}), cover, 1);
+  EXPECT_EQ(overlay.free_count, 0);
+  EXPECT_TRUE(overlay.rings.empty());
+  EXPECT_EQ(overlay.blocked_of_source[0], overlay.wall);
+}
+
+TEST(Overlay, ARingThatVanishesOnTheGridHasNoComponent) {
+  const std::vector<CoverRing> cover{{Rectangle({1, 1}, {1 + 1e-14, 1 + 1e-14}), 0}};
+  const Overlay overlay = ComputeOverlay(Rectangle({0, 0}, {8, 8}), cover, 1);
+  EXPECT_EQ(overlay.blocked_of_source[0], -1);
+  EXPECT_EQ(overlay.blocked_count, 1);
 }
 
 }  // namespace

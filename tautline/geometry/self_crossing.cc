@@ -19,9 +19,7 @@ bool WithinTurn(Point apex, Point a, Point b, Point p) {
   return Orientation(apex, a, b) > 0 ? left_of_a && right_of_b : left_of_a || right_of_b;
 }
 
-bool Aligned(Point apex, Point a, Point b) {
-  return Orientation(apex, a, b) == 0 && Dot(a - apex, b - apex) > 0;
-}
+bool Aligned(Point apex, Point a, Point b) { return Orientation(apex, a, b) == 0 && Dot(a - apex, b - apex) > 0; }
 
 /// Whether the way a-apex-b passes from one side of the way c-apex-d to the other. Ways with a common direction only
 /// touch here.

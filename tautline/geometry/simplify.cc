@@ -47,21 +47,33 @@ class VertexGrid {
     bucket.erase(std::find(bucket.begin(), bucket.end(), node));
   }
 
-  /// Calls visit(node) for all vertices in the cells that the box meets, until it returns false.
+  /// Calls visit(node) for all vertices in the cells that the box meets, and perhaps for others, until it returns
+  /// false.
   template <class Visit>
   void ForEachNear(const Box& box, Visit visit) const {
-    for (std::int64_t x = CellOf(box.low.x); x <= CellOf(box.high.x); ++x) {
-      for (std::int64_t y = CellOf(box.low.y); y <= CellOf(box.high.y); ++y) {
+    const std::int64_t left = CellOf(box.low.x), right = CellOf(box.high.x);
+    const std::int64_t bottom = CellOf(box.low.y), top = CellOf(box.high.y);
+    const double cells = static_cast<double>(right - left + 1) * static_cast<double>(top - bottom + 1);
+    if (cells > static_cast<double>(buckets_.size())) {
+      for (const auto& [key, bucket] : buckets_) {
+        if (!VisitAll(bucket, visit)) return;
+      }
+      return;
+    }
+    for (std::int64_t x = left; x <= right; ++x) {
+      for (std::int64_t y = bottom; y <= top; ++y) {
         const auto bucket = buckets_.find(KeyOf(x, y));
-        if (bucket == buckets_.end()) continue;
-        for (const std::size_t node : bucket->second) {
-          if (!visit(node)) return;
-        }
+        if (bucket != buckets_.end() && !VisitAll(bucket->second, visit)) return;
       }
     }
   }
 
  private:
+  template <class Visit>
+  static bool VisitAll(const std::vector<std::size_t>& bucket, Visit visit) {
+    return std::all_of(bucket.begin(), bucket.end(), visit);
+  }
+
   std::int64_t CellOf(double coordinate) const { return static_cast<std::int64_t>(std::floor(coordinate / cell_m_)); }
   static std::size_t KeyOf(std::int64_t x, std::int64_t y) {
     return static_cast<std::size_t>(x) * 0x9e3779b97f4a7c15ULL + static_cast<std::size_t>(y);
@@ -80,9 +92,8 @@ bool InClosedTriangle(Point a, Point b, Point c, Point p) {
   return Orientation(a, b, p) >= 0 && Orientation(b, c, p) >= 0 && Orientation(c, a, p) >= 0;
 }
 
-/// A cell size at which a bucket holds few vertices: the mean distance between neighbours, but not so small that the
-/// box of one triangle covers very many cells.
-double BucketSize(std::span<const PolygonWithHoles> polygons, double tolerance_m) {
+/// A cell size at which a bucket holds few vertices.
+double BucketSize(std::span<const PolygonWithHoles> polygons) {
   double length = 0;
   std::size_t count = 0;
   const auto add = [&](const Ring& ring) {
@@ -93,13 +104,13 @@ double BucketSize(std::span<const PolygonWithHoles> polygons, double tolerance_m
     add(polygon.outer);
     for (const Ring& hole : polygon.holes) add(hole);
   }
-  return count == 0 ? 1 : std::max(4 * length / static_cast<double>(count), tolerance_m);
+  return count == 0 ? 1 : 4 * length / static_cast<double>(count);
 }
 
 class Simplifier {
  public:
   Simplifier(std::span<const PolygonWithHoles> polygons, double tolerance_m)
-      : polygons_(polygons), tolerance_m_(tolerance_m), grid_(BucketSize(polygons, tolerance_m)) {
+      : polygons_(polygons), tolerance_m_(tolerance_m), grid_(BucketSize(polygons)) {
     for (const PolygonWithHoles& polygon : polygons) {
       AddRing(polygon.outer);
       for (const Ring& hole : polygon.holes) AddRing(hole);

@@ -27,7 +27,8 @@ struct VertexMove {
 /// goes to the nearest vertex, or else the nearest edge point, of a source of lower number; an edge is bent to pass
 /// through a vertex of a source of lower number. Afterwards both boundaries have the point where they meet as a vertex.
 /// Distances are measured before anything moves, so a vertex that follows one that moved itself may travel farther
-/// than `tolerance`. Every move is returned. O(n) for n vertices and few encounters.
+/// than `tolerance`; a vertex near several sources goes to one of them. Every move is returned. O(n) for n vertices and
+/// few encounters.
 std::vector<VertexMove> SnapVertices(std::vector<SourcedRing>& rings, double tolerance);
 
 }  // namespace tautline

@@ -40,7 +40,8 @@ Lattice CellRight(Lattice p, int direction) { return CellLeft(p, Right(direction
 /// Follows the boundary of the blocked cells with the blocked side on the left.
 class Tracer {
  public:
-  explicit Tracer(const OccupancyGrid& grid) : grid_(grid), label_(grid.cells.size(), kNone), used_(grid.cells.size()) {}
+  explicit Tracer(const OccupancyGrid& grid)
+      : grid_(grid), label_(grid.cells.size(), kNone), used_(grid.cells.size()) {}
 
   std::vector<PolygonWithHoles> Run() {
     for (int row = 0; row < grid_.rows; ++row) {

@@ -32,7 +32,8 @@ int CountRegions(const OccupancyGrid& grid, CellState state, bool diagonal) {
     std::vector<std::size_t> stack{seed};
     seen[seed] = true;
     while (!stack.empty()) {
-      const int column = static_cast<int>(stack.back()) % grid.columns, row = static_cast<int>(stack.back()) / grid.columns;
+      const int column = static_cast<int>(stack.back()) % grid.columns,
+                row = static_cast<int>(stack.back()) / grid.columns;
       stack.pop_back();
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {

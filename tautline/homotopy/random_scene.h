@@ -16,6 +16,7 @@
 #include "tautline/geometry/random_rings.h"
 #include "tautline/homotopy/brute_sight.h"
 #include "tautline/homotopy/class_oracle.h"
+#include "tautline/homotopy/print_point.h"
 #include "tautline/scene/free_space.h"
 
 namespace tautline {

@@ -13,6 +13,7 @@ void Word::Append(Letter letter) {
 }
 
 void Word::Append(const Word& other) {
+  if (&other == this) return Append(Word(other));
   for (const Letter letter : other.letters()) Append(letter);
 }
 

@@ -55,11 +55,14 @@ const Document* Document::Find(std::string_view key) const {
   return nullptr;
 }
 
+std::string OneLine(std::string text) {
+  for (char& c : text) c = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  return text;
+}
+
 std::string Quoted(std::string_view text) {
   constexpr std::size_t kLongest = 40;
-  std::string out = "'";
-  for (const char c : text.substr(0, kLongest)) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
-  return out + (text.size() > kLongest ? "...'" : "'");
+  return "'" + OneLine(std::string(text.substr(0, kLongest))) + (text.size() > kLongest ? "...'" : "'");
 }
 
 std::string Describe(const Document& value) {
@@ -143,7 +146,7 @@ bool DocumentBuilder::Copy(const Document& value, Position at) {
 bool DocumentBuilder::Charge(const Document& value, Position at) { return Count(CountValues(value), at); }
 
 bool DocumentBuilder::Fail(std::string message, Position at, ErrorCode code) {
-  if (!failed_) error_ = {code, std::move(message), file_ + ":" + std::to_string(at.line)};
+  if (!failed_) error_ = {code, OneLine(std::move(message)), file_ + ":" + std::to_string(at.line)};
   failed_ = true;
   return false;
 }

@@ -49,7 +49,10 @@ struct Document {
 /// The value in a few words for a message: "the number 5", "the text 'abc'", "a list of 3", "a map", "nothing".
 std::string Describe(const Document& value);
 
-/// A text shortened and freed of control characters, so that it fits into a message of one line.
+/// The text with blanks in the place of line ends and other control characters: messages are one line.
+std::string OneLine(std::string text);
+
+/// A text in quotes, on one line and shortened to 40 bytes.
 std::string Quoted(std::string_view text);
 
 /// Builds a document from the events of a parser and keeps the limits. After the first failure every call returns
@@ -65,7 +68,7 @@ class DocumentBuilder {
   bool StartList(Position at) { return Start(Document::Kind::kList, at); }
   bool StartMap(Position at) { return Start(Document::Kind::kMap, at); }
   bool Key(std::string name, Position at);
-  bool End();                      ///< Of the innermost list or map. Fails on a map with a key that stands twice.
+  bool End();  ///< Of the innermost list or map. Fails on a map with a key that stands twice.
   bool Copy(const Document& value, Position at);  ///< A whole value again; it counts against the limit of values.
 
   /// Counts a value against the limit again, for a copy that the caller keeps.

@@ -67,7 +67,7 @@ void FieldReader::Fail(Position at, std::string message, ErrorCode code) {
 }
 
 void FieldReader::Fail(Error error) {
-  if (ok_) error_ = std::move(error);
+  if (ok_) error_ = {error.code, OneLine(std::move(error.message)), OneLine(std::move(error.where))};
   ok_ = false;
 }
 
@@ -83,8 +83,7 @@ bool FieldReader::IsList(const Document& value, std::string_view what) {
   return false;
 }
 
-void FieldReader::KnownKeys(const Document& map, std::string_view what,
-                            std::initializer_list<std::string_view> known) {
+void FieldReader::KnownKeys(const Document& map, std::string_view what, std::initializer_list<std::string_view> known) {
   for (const DocumentKey& key : map.keys) {
     if (std::find(known.begin(), known.end(), key.name) != known.end()) continue;
     const std::string_view nearest = NearestName(key.name, {known.begin(), known.size()});
@@ -106,8 +105,8 @@ double FieldReader::ReadNumber(const Document& value, std::string_view what) {
   if (!ok_) return 0;
   if (!value.is(Kind::kNumber)) {
     const bool quoted = value.is(Kind::kString) && ParseNumber(value.text).has_value();
-    Fail(value.position, std::string(what) + " must be a number, not " + Describe(value) +
-                             (quoted ? ": remove the quotes" : ""));
+    Fail(value.position,
+         std::string(what) + " must be a number, not " + Describe(value) + (quoted ? ": remove the quotes" : ""));
     return 0;
   }
   if (value.number > kLargestNumber || value.number < -kLargestNumber) {
@@ -178,7 +177,8 @@ Polyline FieldReader::ReadPoints(const Document& value, std::string_view what, s
     return points;
   }
   points.reserve(value.items.size());
-  for (std::size_t i = 0; i < value.items.size() && ok_; ++i) points.push_back(ReadPoint(value.items[i], Element(what, i)));
+  for (std::size_t i = 0; i < value.items.size() && ok_; ++i)
+    points.push_back(ReadPoint(value.items[i], Element(what, i)));
   return points;
 }
 

@@ -48,7 +48,7 @@ class FieldReader {
   double ReadNumber(const Document& value, std::string_view what);
   double ReadPositive(const Document& value, std::string_view what);     ///< > 0.
   double ReadNonNegative(const Document& value, std::string_view what);  ///< >= 0.
-  std::string ReadText(const Document& value, std::string_view what);         ///< Not empty.
+  std::string ReadText(const Document& value, std::string_view what);    ///< Not empty.
 
   /// A name of an obstacle or a robot: a text that is not empty and holds neither blanks nor '^'.
   std::string ReadName(const Document& value, std::string_view what);

@@ -37,6 +37,14 @@ std::vector<SourcedRing> BlockedRings(const World& world, double arc_error) {
   return rings;
 }
 
+/// Drops the vertices that growth leaves out, or rounding would open slits between a ring and its growth.
+void ShareEdgesWithGrowth(std::vector<SourcedRing>& rings) {
+  for (SourcedRing& ring : rings) {
+    Ring corners = DropCollinear(ring.points);
+    if (corners.size() >= 3) ring.points = std::move(corners);
+  }
+}
+
 /// The rings that cover blocked ground inside the outline, with growth.
 std::vector<CoverRing> CoverRings(const World& world, const std::vector<SourcedRing>& rings, double growth,
                                   double arc_error) {
@@ -98,20 +106,26 @@ class Assembler {
 };
 
 void Assembler::CollectIslands() {
-  // Sources come in the order of the scene, so the first of a component names it and islands keep that order.
+  // Sources come in the order of the scene, so the first of a component names it, and islands and merges keep that
+  // order.
   std::map<std::int32_t, std::vector<std::string>> members;
+  std::vector<std::int32_t> components;
   island_of_blocked_.assign(static_cast<std::size_t>(overlay_.blocked_count), ObstacleId());
   for (std::size_t source = 0; source < overlay_.blocked_of_source.size(); ++source) {
     const std::int32_t component = overlay_.blocked_of_source[source];
     if (component < 0) continue;
     const Obstacle& obstacle = world_.obstacles[source];
+    if (members[component].empty()) {
+      components.push_back(component);
+      if (component != overlay_.wall) {
+        island_of_blocked_[static_cast<std::size_t>(component)] = ObstacleId(space_.islands.size());
+        space_.islands.push_back({obstacle.name, RepresentativeOf(obstacle), {}, 0});
+      }
+    }
     members[component].push_back(obstacle.name);
-    ObstacleId& island = island_of_blocked_[static_cast<std::size_t>(component)];
-    if (component == overlay_.wall || island.valid()) continue;
-    island = ObstacleId(space_.islands.size());
-    space_.islands.push_back({obstacle.name, RepresentativeOf(obstacle), {}, 0});
   }
-  for (auto& [component, names] : members) {
+  for (const std::int32_t component : components) {
+    const std::vector<std::string>& names = members[component];
     const bool with_wall = component == overlay_.wall;
     if (with_wall || names.size() > 1) space_.merges.push_back({names, with_wall});
     if (!with_wall) space_.islands[island_of_blocked_[static_cast<std::size_t>(component)].index()].members = names;
@@ -173,9 +187,10 @@ Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& o
       space.snaps.push_back({NameOf(world, move.source), move.from, move.to, NameOf(world, move.onto)});
     }
   }
-  Ring domain = rings[0].points;
   // A few grid spacings more, so that rounding to the grid cannot make the growth too small.
   const double growth = space.clearance > 0 ? space.clearance + 4 * spacing : 0;
+  if (growth > 0) ShareEdgesWithGrowth(rings);
+  const Ring domain = rings[0].points;
   const std::vector<CoverRing> cover = CoverRings(world, rings, growth, options.arc_error);
   Overlay overlay = ComputeOverlay(domain, cover, static_cast<std::int32_t>(world.obstacles.size()));
   if (overlay.free_count == 0) {

@@ -62,7 +62,7 @@ struct FreeSpaceOptions {
 struct FreeSpace {
   std::vector<FreeComponent> components;  ///< Largest area first.
   std::vector<Island> islands;            ///< By ObstacleId, in the order of the scene; the alphabet of the words.
-  std::vector<Merge> merges;
+  std::vector<Merge> merges;              ///< In the order of their first members.
   std::vector<Snap> snaps;
   Box box;                                ///< Around the outline.
   double clearance = 0;                   ///< Metres, as built in.

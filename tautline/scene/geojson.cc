@@ -141,8 +141,8 @@ class Collector {
     if (!reader_.ok() || !reader_.IsList(coordinates, "a ring")) return ring;
     for (const Document& position : coordinates.items) {
       if (!position.is(Kind::kList) || position.items.size() < 2) {
-        reader_.Fail(position.position, "a position must be [x, y] or [longitude, latitude], not " +
-                                            Describe(position));
+        reader_.Fail(position.position,
+                     "a position must be [x, y] or [longitude, latitude], not " + Describe(position));
         return ring;
       }
       ring.push_back({reader_.ReadNumber(position.items[0], "x"), reader_.ReadNumber(position.items[1], "y")});
@@ -208,8 +208,10 @@ void Project(std::vector<Piece>& pieces, const Box& box, Position at, FieldReade
   constexpr double kWidestDegrees = 5, kHighestLatitude = 89;
   const Point centre = box.centre();
   if (box.size().x > kWidestDegrees || box.size().y > kWidestDegrees || std::fabs(centre.y) > kHighestLatitude) {
-    return reader.Fail(at, "longitude and latitude span more than 5 degrees or reach a pole: project the map to metres "
-                           "and name its crs", ErrorCode::kUnsupported);
+    return reader.Fail(at,
+                       "longitude and latitude span more than 5 degrees or reach a pole: project the map to metres "
+                       "and name its crs",
+                       ErrorCode::kUnsupported);
   }
   const Point scale = MetresPerDegree(centre.y);
   ForEachPoint(pieces, [=](Point p) { return Point{(p.x - centre.x) * scale.x, (p.y - centre.y) * scale.y}; });

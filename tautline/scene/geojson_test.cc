@@ -11,8 +11,9 @@ namespace tautline {
 namespace {
 
 Expected<MapWorld> Read(std::string_view text) {
-  return ParseJson(text, "m.geojson").and_then(
-      [](const Document& document) { return ReadGeoJson(document, "m.geojson"); });
+  return ParseJson(text, "m.geojson").and_then([](const Document& document) {
+    return ReadGeoJson(document, "m.geojson");
+  });
 }
 
 MapWorld Good(std::string_view text) {
@@ -31,17 +32,17 @@ std::string Collection(const std::string& features, const std::string& more = ""
 }
 
 std::string Feature(const std::string& properties, const std::string& rings) {
-  return R"({"type": "Feature", "properties": {)" + properties + R"(}, "geometry": {"type": "Polygon", "coordinates": )" +
-         rings + "}}";
+  return R"({"type": "Feature", "properties": {)" + properties +
+         R"(}, "geometry": {"type": "Polygon", "coordinates": )" + rings + "}}";
 }
 
 const std::string kRoom = "[[[0,0],[20,0],[20,10],[0,10],[0,0]]]";
 const std::string kDesk = "[[[4,4],[6,4],[6,6],[4,6],[4,4]]]";
 
 TEST(ReadGeoJson, RolesSayWhatAPolygonIs) {
-  const MapWorld world = Good(Collection(Feature(R"("role": "outline")", kRoom) + "," +
-                                         Feature(R"("name": "long desk")", kDesk) + "," +
-                                         Feature(R"("role": "ignore")", kDesk)));
+  const MapWorld world =
+      Good(Collection(Feature(R"("role": "outline")", kRoom) + "," + Feature(R"("name": "long desk")", kDesk) + "," +
+                      Feature(R"("role": "ignore")", kDesk)));
   EXPECT_EQ(world.outline.size(), 4u);
   ASSERT_EQ(world.obstacles.size(), 1u);
   EXPECT_EQ(world.obstacles[0].name, "long_desk");
@@ -68,7 +69,8 @@ TEST(ReadGeoJson, ReadsHolesCollectionsAndMultiPolygons) {
 }
 
 TEST(ReadGeoJson, HolesOfTheOutlineAreObstacles) {
-  const MapWorld world = Good(Feature(R"("role": "outline")", "[[[0,0],[9,0],[9,9],[0,0]], [[5,2],[6,2],[6,3],[5,2]]]"));
+  const MapWorld world =
+      Good(Feature(R"("role": "outline")", "[[[0,0],[9,0],[9,9],[0,0]], [[5,2],[6,2],[6,3],[5,2]]]"));
   EXPECT_EQ(world.obstacles.size(), 1u);
 }
 
@@ -96,7 +98,8 @@ TEST(ReadGeoJson, ACrsMemberDecides) {
 }
 
 TEST(ReadGeoJson, RefusesWhatCannotBeMeant) {
-  EXPECT_EQ(ErrorOf(Collection("")), "m.geojson:1: the map holds no polygon with an area (0 other features were skipped)");
+  EXPECT_EQ(ErrorOf(Collection("")),
+            "m.geojson:1: the map holds no polygon with an area (0 other features were skipped)");
   EXPECT_NE(ErrorOf(Feature("", "[[[0,0],[9,9],[9,0],[0,8]]]")).find("crosses itself"), std::string::npos);
   EXPECT_NE(ErrorOf(Feature("", "[[[0,0],[9],[9,0]]]")).find("must be [x, y]"), std::string::npos);
   EXPECT_NE(ErrorOf(Feature(R"("role": "wall")", kRoom)).find("outline, obstacle or ignore"), std::string::npos);

@@ -40,8 +40,8 @@ Expected<RasterImage> ReadImageFile(const std::string& path) {
 Expected<MapWorld> ReadRosMap(const std::string& path, const SceneOptions& options) {
   const auto text = ReadTextFile(path, kMaxDocumentBytes);
   if (!text) return tl::unexpected<Error>(text.error());
-  const auto settings = ParseYaml(*text, path).and_then(
-      [&path](const Document& document) { return ReadRosMapSettings(document, path); });
+  const auto settings =
+      ParseYaml(*text, path).and_then([&path](const Document& document) { return ReadRosMapSettings(document, path); });
   if (!settings) return tl::unexpected<Error>(settings.error());
   const auto image = ReadImageFile((std::filesystem::path(path).parent_path() / settings->image).string());
   if (!image) return tl::unexpected<Error>(image.error());

@@ -14,7 +14,7 @@ namespace tautline {
 
 struct MapWorld {
   Ring outline;
-  std::vector<Obstacle> obstacles;     ///< `name` is empty where the map gives none.
+  std::vector<Obstacle> obstacles;  ///< `name` is empty where the map gives none.
   MapSource source;
   std::optional<OccupancyGrid> cells;  ///< Of a map of cells; unknown cells as they stand in the map.
 };

@@ -66,7 +66,8 @@ Expected<OccupancyGrid> ParseMovingAiMap(std::string_view text, const std::strin
   }
   if (text.size() < static_cast<std::size_t>(header->height) * static_cast<std::size_t>(header->width)) {
     return InvalidInput("the map ends before its " + std::to_string(header->height) + " rows of " +
-                            std::to_string(header->width) + " cells: is it cut off?", file);
+                            std::to_string(header->width) + " cells: is it cut off?",
+                        file);
   }
   OccupancyGrid grid = MakeGrid(header->width, header->height, CellState::kBlocked);
   for (int row = header->height - 1; row >= 0; --row) {

@@ -91,8 +91,8 @@ std::optional<double> ParseNumber(std::string_view text) {
     return ParseSlowly(text, *decimal);
   }
   const double mantissa = static_cast<double>(decimal->mantissa);
-  const double value = decimal->exponent < 0 ? mantissa / PowerOfTen(-decimal->exponent)
-                                             : mantissa * PowerOfTen(decimal->exponent);
+  const double value =
+      decimal->exponent < 0 ? mantissa / PowerOfTen(-decimal->exponent) : mantissa * PowerOfTen(decimal->exponent);
   return decimal->negative ? -value : value;
 }
 

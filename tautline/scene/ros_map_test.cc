@@ -9,12 +9,14 @@ namespace {
 
 std::string Settings(const std::string& change = "") {
   return R"({"image": "m.pgm", "resolution": 0.05, "origin": [-10, 5, 0.5], "negate": 0, "occupied_thresh": 0.65,
-             "free_thresh": 0.25)" + change + "}";
+             "free_thresh": 0.25)" +
+         change + "}";
 }
 
 Expected<RosMapSettings> Read(std::string_view text) {
-  return ParseJson(text, "m.yaml").and_then(
-      [](const Document& document) { return ReadRosMapSettings(document, "m.yaml"); });
+  return ParseJson(text, "m.yaml").and_then([](const Document& document) {
+    return ReadRosMapSettings(document, "m.yaml");
+  });
 }
 
 std::string ErrorOf(std::string_view text) {

@@ -117,11 +117,10 @@ TEST(ReadSceneFile, RealMapsAreReadWhole) {
     std::size_t obstacles;
     std::size_t free_cells;
   };
-  for (const Case c : {Case{"scenes/maps/ros/willow-2010-02-18-0.10.yaml", 371, 109207},
-                       Case{"scenes/maps/ros/depot.yaml", 131, 179481},
-                       Case{"scenes/maps/ros/tb3_sandbox.yaml", 10, 7903},
-                       Case{"scenes/maps/movingai/arena.map", 6, 2054},
-                       Case{"scenes/maps/movingai/empty-16-16.map", 0, 256}}) {
+  for (const Case c :
+       {Case{"scenes/maps/ros/willow-2010-02-18-0.10.yaml", 371, 109207},
+        Case{"scenes/maps/ros/depot.yaml", 131, 179481}, Case{"scenes/maps/ros/tb3_sandbox.yaml", 10, 7903},
+        Case{"scenes/maps/movingai/arena.map", 6, 2054}, Case{"scenes/maps/movingai/empty-16-16.map", 0, 256}}) {
     const auto world = ReadMapFile(c.path);
     ASSERT_TRUE(world) << ToString(world.error());
     EXPECT_EQ(world->obstacles.size(), c.obstacles) << c.path;

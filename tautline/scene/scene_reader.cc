@@ -180,9 +180,9 @@ class SceneReader {
     for (const Obstacle& obstacle : scene_.world.obstacles) names.push_back(obstacle.name);
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
     const std::string_view nearest = NearestName(name, names);
-    reader_.Fail(at, "there is no obstacle " + Quoted(name) +
-                         (nearest.empty() ? ": name one of world.obstacles"
-                                          : ": did you mean '" + std::string(nearest) + "'?"));
+    reader_.Fail(
+        at, "there is no obstacle " + Quoted(name) +
+                (nearest.empty() ? ": name one of world.obstacles" : ": did you mean '" + std::string(nearest) + "'?"));
   }
 
   void ReadFleet(const Document& value) {

@@ -8,8 +8,9 @@ namespace tautline {
 namespace {
 
 Expected<Scene> Read(std::string_view text, const MapLoader& load_map = {}) {
-  return ParseJson(text, "s.json").and_then(
-      [&load_map](const Document& document) { return ReadScene(document, "s.json", load_map); });
+  return ParseJson(text, "s.json").and_then([&load_map](const Document& document) {
+    return ReadScene(document, "s.json", load_map);
+  });
 }
 
 Scene Good(std::string_view text) {
@@ -27,7 +28,8 @@ std::string ErrorOf(std::string_view text) {
 std::string InRoom(const std::string& rest) {
   return R"({"world": {"outline": [[0,0],[20,0],[20,10],[0,10]],
              "obstacles": [{"name": "pillar", "polygon": [[4,4],[6,4],[6,6],[4,6]]}]},)"
-         "\n" + rest + "}";
+         "\n" +
+         rest + "}";
 }
 
 /// A world with these obstacles.
@@ -64,8 +66,8 @@ TEST(ReadScene, ReadsCirclesClearanceAndSnap) {
 }
 
 TEST(ReadScene, NamesObstaclesByTheirPosition) {
-  const Scene scene = Good(WithObstacles(SquareAt(1) + "," + SquareAt(3, R"(,"name": "o3")") + "," + SquareAt(5) + "," +
-                                         SquareAt(7)));
+  const Scene scene =
+      Good(WithObstacles(SquareAt(1) + "," + SquareAt(3, R"(,"name": "o3")") + "," + SquareAt(5) + "," + SquareAt(7)));
   EXPECT_EQ(scene.world.obstacles[0].name, "o1");
   EXPECT_EQ(scene.world.obstacles[1].name, "o3");
   EXPECT_EQ(scene.world.obstacles[2].name, "o4");
@@ -164,9 +166,10 @@ TEST(ReadScene, RefusesPolygonsThatBoundNothing) {
             "s.json:1: world.obstacles[1].polygon has 2 points: it needs 3 or more");
   EXPECT_EQ(ErrorOf(WithObstacles(R"({"polygon": [[0.1,0.1],[0.2,0.2],[0.3,0.3]]})")),
             "s.json:1: world.obstacles[1].polygon has no area: its points lie on a line");
-  EXPECT_EQ(ErrorOf(WithObstacles(R"({"polygon": [[1,1],[3,3],[3,1],[1,3]]})")),
-            "s.json:1: world.obstacles[1].polygon crosses itself: edge 1 (1, 1)-(3, 3) meets edge 3 (3, 1)-(1, 3); list "
-            "the points in order around it");
+  EXPECT_EQ(
+      ErrorOf(WithObstacles(R"({"polygon": [[1,1],[3,3],[3,1],[1,3]]})")),
+      "s.json:1: world.obstacles[1].polygon crosses itself: edge 1 (1, 1)-(3, 3) meets edge 3 (3, 1)-(1, 3); list "
+      "the points in order around it");
   EXPECT_EQ(ErrorOf(R"({"world": {"outline": [[0,0],[4,4],[4,0],[0,3]]}})").substr(0, 38),
             "s.json:1: world.outline crosses itself");
 }
@@ -210,8 +213,7 @@ TEST(ReadScene, FuturesAreAProbabilityOverKnownObstacles) {
   EXPECT_EQ(ErrorOf(InRoom(R"("futures": [{"probability": 0.5, "moves": []}])")),
             "s.json:3: the probabilities of the futures sum to 0.5: they must sum to 1");
   EXPECT_EQ(
-      ErrorOf(InRoom(
-          R"("futures": [{"probability": 1, "moves": [{"obstacle": "piller", "path": [[1,1],[2,2]]}]}])")),
+      ErrorOf(InRoom(R"("futures": [{"probability": 1, "moves": [{"obstacle": "piller", "path": [[1,1],[2,2]]}]}])")),
       "s.json:3: there is no obstacle 'piller': did you mean 'pillar'?");
 }
 

@@ -81,9 +81,12 @@ TEST(ParseYaml, RefusesDeepNesting) {
   EXPECT_NE(ErrorOf(std::string(100000, '[')), "no error");
 }
 
-TEST(ParseYaml, ReadsWindowsLineEnds) {
-  EXPECT_EQ(Parsed("a: 1\r\nb: two\r\n").Find("b")->text, "two");
+TEST(ParseYaml, ErrorsAreOneLine) {
+  EXPECT_EQ(ErrorOf("a: !<x%0Ay> b\n").find('\n'), std::string::npos);
+  EXPECT_EQ(ErrorOf("? \"a\\nb\"\n: 1\n\"a\\nb\": 2\n").find('\n'), std::string::npos);
 }
+
+TEST(ParseYaml, ReadsWindowsLineEnds) { EXPECT_EQ(Parsed("a: 1\r\nb: two\r\n").Find("b")->text, "two"); }
 
 }  // namespace
 }  // namespace tautline

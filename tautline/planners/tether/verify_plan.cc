@@ -99,7 +99,10 @@ class Verifier {
     }
     stub_ = laid->socket.stub_length > 0;
     in_socket_ = laid->in_socket;
-    CheckStart(*laid);
+    if (!result_.start.points.empty()) CheckStart(*laid);
+    if (result_.start.points.empty() && result_.obstruction != PlanObstruction::kGoalBlocked) {
+      Fault("the tether at the start is missing");
+    }
     if (result_.status == PlanStatus::kSolved && !result_.motion) Fault("solved, but there is no motion");
     if (result_.motion) {
       CheckMotion(*result_.motion, "the motion", true);
