@@ -91,7 +91,7 @@ Expected<Found> Find(const TetherPlanner& planner, const Question& question) {
     return Found{{}, "start_blocked", ExplainLaidCable(space, PlanObstruction::kStartBlocked, question.from)};
   }
   if (!goal) return Found{{}, "goal_blocked", ExplainGoalBlocked(space, question.to)};
-  if (space.mesh().ComponentOf(socket->exit.triangle) != space.mesh().ComponentOf(goal->triangle)) {
+  if (!space.mesh().Connected(socket->exit, *goal)) {
     return Found{{}, "goal_unreachable", ExplainUnreachable(question.to)};
   }
   if (question.word) return FindWord(planner, *socket, *goal, question);

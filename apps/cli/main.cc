@@ -2,8 +2,10 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,12 @@ int Main(int argc, char** argv) {
   app.footer("Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n`tautline COMMAND --help` tells more.");
   std::vector<Run> runs;
   for (const auto add : {AddPlan, AddClasses, AddTaut, AddShow}) runs.push_back(add(app));
+  const auto commands = app.get_subcommands({});
+  const auto is_called = [&](const CLI::App* command) { return command->check_name(argv[1]); };
+  if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_called)) {
+    return Complain("there is no command '" + std::string(argv[1]) + "'; there are plan, classes, taut and show",
+                    kExitBadInput);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -34,7 +42,6 @@ int Main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return Complain(std::string(error.what()) + "; see `tautline --help`", kExitBadInput);
   }
-  const auto commands = app.get_subcommands({});
   for (std::size_t i = 0; i < commands.size(); ++i) {
     if (!commands[i]->parsed()) continue;
     const auto status = runs[i]();

@@ -29,11 +29,18 @@ struct Candidate {
   friend bool operator>(const Candidate& a, const Candidate& b) { return a.total > b.total; }
 };
 
+/// The sectors into which a path may go on: all of them from a walk that has not begun.
+std::vector<Place> StartSectors(const FreeMesh& mesh, const Walk& start) {
+  const Place here{start.at, start.sleeve.back()};
+  return start.sleeve.size() == 1 && start.from == start.at ? mesh.Sectors(here) : std::vector<Place>{here};
+}
+
 class ClassSearch {
  public:
-  ClassSearch(const TautSpace& space, Place from, Place to, const ClassOptions& options)
+  ClassSearch(const TautSpace& space, const Walk& start, Place to, const ClassOptions& options)
       : space_(space),
-        from_(from),
+        start_(start),
+        from_(start.at),
         options_(options),
         limit_(options.max_length ? *options.max_length * (1 + kLengthTolerance) : std::numeric_limits<double>::infinity()),
         field_(space, to, limit_) {}
@@ -65,14 +72,16 @@ class ClassSearch {
   Point PointAt(CornerId id) const { return space_.corners()[id].point; }
 
   void Start() {
-    Walk straight(from_);
+    Walk straight = start_;
     if (!WalkStraight(space_.mesh(), field_.goal().point, straight)) {
-      Offer(Distance(from_.point, field_.goal().point), -1, true);
+      Offer(Distance(from_, field_.goal().point), -1, true);
     }
-    for (const TautLeg& leg : LegsFrom(space_, from_)) {
-      const auto stem = static_cast<std::int64_t>(stems_.size());
-      stems_.push_back({leg.corner, leg.side, leg.length, -1});
-      Extend(stem);
+    for (const Place& sector : StartSectors(space_.mesh(), start_)) {
+      for (const TautLeg& leg : LegsFrom(space_, sector)) {
+        const auto stem = static_cast<std::int64_t>(stems_.size());
+        stems_.push_back({leg.corner, leg.side, leg.length, -1});
+        Extend(stem);
+      }
     }
   }
 
@@ -83,7 +92,7 @@ class ClassSearch {
   /// Adds all taut continuations of a stem that lead to the goal within the limit.
   void Extend(std::int64_t position) {
     const Stem stem = stems_[static_cast<std::size_t>(position)];
-    const Point before = stem.parent < 0 ? from_.point : PointAt(stems_[static_cast<std::size_t>(stem.parent)].corner);
+    const Point before = stem.parent < 0 ? from_ : PointAt(stems_[static_cast<std::size_t>(stem.parent)].corner);
     const Point here = PointAt(stem.corner);
     if (const auto leg = field_.LastLeg(stem.corner, stem.head, before)) Offer(stem.length + *leg, position, true);
     const auto out = space_.graph().OutOf(stem.corner);
@@ -103,7 +112,7 @@ class ClassSearch {
     for (; stem >= 0; stem = stems_[static_cast<std::size_t>(stem)].parent) {
       points.push_back(PointAt(stems_[static_cast<std::size_t>(stem)].corner));
     }
-    if (points.size() > 1 || from_.point != field_.goal().point) points.push_back(from_.point);
+    if (points.size() > 1 || from_ != field_.goal().point) points.push_back(from_);
     std::reverse(points.begin(), points.end());
     return points;
   }
@@ -121,7 +130,8 @@ class ClassSearch {
   }
 
   const TautSpace& space_;
-  Place from_;
+  const Walk& start_;
+  Point from_;
   ClassOptions options_;
   double limit_;
   GoalField field_;
@@ -133,10 +143,12 @@ class ClassSearch {
 
 ClassList FindClasses(const TautSpace& space, Point from, Point to, const ClassOptions& options) {
   const auto start = space.Locate(from), goal = space.Locate(to);
-  if (!start || !goal || space.mesh().ComponentOf(start->triangle) != space.mesh().ComponentOf(goal->triangle)) {
-    return {{}, true, false};
-  }
-  return ClassSearch(space, *start, *goal, options).Run();
+  if (!start || !goal || !space.mesh().Connected(*start, *goal)) return {{}, true, false};
+  return FindClassesOnward(space, Walk(*start), *goal, options);
+}
+
+ClassList FindClassesOnward(const TautSpace& space, const Walk& walk, Place to, const ClassOptions& options) {
+  return ClassSearch(space, walk, to, options).Run();
 }
 
 }  // namespace tautline

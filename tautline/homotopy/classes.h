@@ -29,6 +29,10 @@ struct ClassList {
 /// the reduced visibility graph, then O(log) per state; every expanded state leads to a listed class.
 ClassList FindClasses(const TautSpace& space, Point from, Point to, const ClassOptions& options = {});
 
+/// The same for paths that go on from where a walk stands: on a vertex where blocked ground touches they leave within
+/// the sector that the walk came in by. Requires that walk and goal are connected.
+ClassList FindClassesOnward(const TautSpace& space, const Walk& walk, Place to, const ClassOptions& options = {});
+
 }  // namespace tautline
 
 #endif  // TAUTLINE_HOMOTOPY_CLASSES_H_

@@ -15,7 +15,7 @@ class StraightWalk {
   std::optional<Point> Run() {
     while (!Arrived()) {
       const int vertex = VertexAtPivot();
-      if (vertex >= 0 && !TurnAround(vertex)) return pivot_;
+      if (vertex >= 0 && !TurnAround(vertex) && !StartInOtherSector(vertex)) return pivot_;
       if (Arrived()) break;
       if (const auto blocked = LeaveTriangle()) return blocked;
     }
@@ -71,6 +71,19 @@ class StraightWalk {
       }
     }
     return false;
+  }
+
+  /// A walk that begins on a vertex where blocked ground touches may leave through any sector.
+  bool StartInOtherSector(int i) {
+    if (walk_.sleeve.size() > 1 || walk_.from != pivot_) return false;
+    bool found = false;
+    mesh_.ForEachFreeAround(mesh_.triangle(at_).vertices[static_cast<std::size_t>(i)], [&](TriangleId id, int k) {
+      if (found || !Ahead(id, k)) return;
+      found = true;
+      at_ = id;
+      walk_.sleeve = Sleeve(id);
+    });
+    return found;
   }
 
   /// Crosses the side through which the segment leaves the triangle, or stops at a vertex on the way.

@@ -51,7 +51,7 @@ struct Walk {
 };
 
 /// Walks along the straight segment from walk.at to `to`, which may graze boundaries and pass along them. Exact.
-/// Nothing when it arrived; otherwise the place where the segment leaves the free space, and the walk stands in the
+/// A walk that has not left its first point may start in any sector there. Nothing when it arrived; otherwise the place where the segment leaves the free space, and the walk stands in the
 /// last free triangle before it. O(triangles crossed).
 std::optional<Point> WalkStraight(const FreeMesh& mesh, Point to, Walk& walk);
 

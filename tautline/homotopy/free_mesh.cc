@@ -154,6 +154,28 @@ std::optional<Place> FreeMesh::Locate(Point p, double tolerance) const {
   return MoveOnto(boundary_[*nearest], p, tolerance);
 }
 
+std::vector<Place> FreeMesh::Sectors(Place place) const {
+  const Triangle& here = mesh_.triangle(place.triangle);
+  const auto vertex = std::find_if(here.vertices.begin(), here.vertices.end(),
+                                   [&](VertexId id) { return mesh_.point(id) == place.point; });
+  if (vertex == here.vertices.end()) return {place};
+  // Each sector starts, counter-clockwise, at a triangle with a wall on its right.
+  std::vector<Place> sectors;
+  ForEachFreeAround(*vertex, [&](TriangleId id, int i) {
+    if (mesh_.triangle(id).constrained[static_cast<std::size_t>(Previous(i))]) sectors.push_back({place.point, id});
+  });
+  return sectors;
+}
+
+bool FreeMesh::Connected(Place a, Place b) const {
+  const std::vector<Place> starts = Sectors(a), ends = Sectors(b);
+  return std::any_of(starts.begin(), starts.end(), [&](Place start) {
+    return std::any_of(ends.begin(), ends.end(), [&](Place end) {
+      return ComponentOf(start.triangle) == ComponentOf(end.triangle);
+    });
+  });
+}
+
 std::vector<VertexId> FreeMesh::VerticesNear(Point a, Point b, double tolerance) const {
   std::vector<std::pair<double, VertexId>> found;
   boundary_index_->ForEachAlong(a, b, tolerance, [&](std::size_t k) {

@@ -37,6 +37,13 @@ class FreeMesh {
   /// Nothing when p is farther outside. O(1) expected.
   std::optional<Place> Locate(Point p, double tolerance) const;
 
+  /// The place once for each free sector that it belongs to: several at a vertex where blocked ground touches, one
+  /// everywhere else.
+  std::vector<Place> Sectors(Place place) const;
+
+  /// Whether a path leads from one place to the other.
+  bool Connected(Place a, Place b) const;
+
   /// The boundary vertices within `tolerance` of the segment ab, in order from a to b. O(1) expected for each.
   std::vector<VertexId> VerticesNear(Point a, Point b, double tolerance) const;
 

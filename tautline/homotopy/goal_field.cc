@@ -42,10 +42,12 @@ GoalField::GoalField(const TautSpace& space, Place goal, double limit)
       queue.emplace(distance, into);
     }
   };
-  for (const TautLeg& leg : LegsFrom(space, goal)) {
-    leg_[leg.corner.index()] = leg;
-    // The leg was looked at from the goal; walked from the corner, left and right change places.
-    relax_into(leg.corner, Opposite(leg.side), goal.point, leg.length);
+  for (const Place& sector : space.mesh().Sectors(goal)) {
+    for (const TautLeg& leg : LegsFrom(space, sector)) {
+      leg_[leg.corner.index()] = leg;
+      // The leg was looked at from the goal; walked from the corner, left and right change places.
+      relax_into(leg.corner, Opposite(leg.side), goal.point, leg.length);
+    }
   }
   while (!queue.empty()) {
     const auto [distance, id] = queue.top();

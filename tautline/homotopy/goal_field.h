@@ -16,13 +16,13 @@ struct TautLeg {
   double length = 0;        ///< Metres.
 };
 
-/// The legs from a place to all corners that it sees along a tangent.
+/// The legs from a place, within its sector, to all corners that it sees along a tangent.
 std::vector<TautLeg> LegsFrom(const TautSpace& space, Place place);
 
 /// Exact taut distances to one goal.
 class GoalField {
  public:
-  /// One Dijkstra over the directed edges, backwards from the goal. `limit`: distances beyond it are infinite.
+  /// One Dijkstra over the directed edges, backwards from the goal, which may be reached through any sector. `limit`: distances beyond it are infinite.
   GoalField(const TautSpace& space, Place goal, double limit);
 
   Place goal() const { return goal_; }

@@ -61,7 +61,7 @@ TEST(Shorten, ForgivesWhatIsWithinTheTolerance) {
   const auto scene = TwoBlocks();
   const TautSpace space(SpaceOf(scene));
   const double inside = 0.5 * space.tolerance();
-  const Shortened shortened = Shorten(space, Polyline{{2 + inside, 1}, {2 + inside, 4 - inside}, {3, 4 - inside}});
+  const Shortened shortened = Shorten(space, Polyline{{2 + inside, 1 + inside}, {2 + inside, 4 - inside}, {3 - inside, 4 - inside}});
   ASSERT_FALSE(shortened.departure);
   EXPECT_NEAR(shortened.path.length, 4, 4 * space.tolerance());
   EXPECT_EQ(shortened.path.points, (Polyline{{2, 1}, {2, 4}, {3, 4}}));

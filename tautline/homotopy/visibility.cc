@@ -104,6 +104,26 @@ class Expansion {
   std::vector<Sighting> sightings_;
 };
 
+/// The first triangle, clockwise, of the free sector at a vertex that holds a triangle.
+TriangleId FirstOfSector(const FreeMesh& mesh, VertexId vertex, TriangleId at) {
+  for (;;) {
+    const auto side = static_cast<std::size_t>(Previous(mesh.triangle(at).IndexOf(vertex)));
+    if (mesh.triangle(at).constrained[side]) return at;
+    at = mesh.triangle(at).neighbours[side];
+  }
+}
+
+/// Looks through all triangles of a sector, from its first one, counter-clockwise.
+void LookFromSector(const FreeMesh& mesh, VertexId vertex, TriangleId first, Expansion& expansion) {
+  for (TriangleId at = first;;) {
+    const int i = mesh.triangle(at).IndexOf(vertex);
+    expansion.LookFromVertex(at, i);
+    const auto side = static_cast<std::size_t>(Next(i));
+    if (mesh.triangle(at).constrained[side]) return;
+    at = mesh.triangle(at).neighbours[side];
+  }
+}
+
 }  // namespace
 
 std::vector<Sighting> SeeFromPoint(const FreeMesh& mesh, const Corners& corners, Place place) {
@@ -114,7 +134,7 @@ std::vector<Sighting> SeeFromPoint(const FreeMesh& mesh, const Corners& corners,
     const Point b = mesh.triangulation().corner(place.triangle, Previous(i));
     const auto k = static_cast<std::size_t>(i);
     if (mesh.point(here.vertices[k]) == place.point) {
-      mesh.ForEachFreeAround(here.vertices[k], [&](TriangleId id, int at) { expansion.LookFromVertex(id, at); });
+      LookFromSector(mesh, here.vertices[k], FirstOfSector(mesh, here.vertices[k], place.triangle), expansion);
       return expansion.Finish();
     }
     if (a == place.point || b == place.point || Orientation(a, b, place.point) != 0) continue;
@@ -130,13 +150,8 @@ std::vector<Sighting> SeeFromPoint(const FreeMesh& mesh, const Corners& corners,
 std::vector<Sighting> SeeFromCorner(const FreeMesh& mesh, const Corners& corners, CornerId id) {
   const Corner& corner = corners[id];
   Expansion expansion(mesh, corners, corner.point, &corner);
-  TriangleId at = corner.first;
-  for (;;) {
-    const int i = mesh.triangle(at).IndexOf(corner.vertex);
-    expansion.LookFromVertex(at, i);
-    if (mesh.triangle(at).constrained[static_cast<std::size_t>(Next(i))]) return expansion.Finish();
-    at = mesh.triangle(at).neighbours[static_cast<std::size_t>(Next(i))];
-  }
+  LookFromSector(mesh, corner.vertex, corner.first, expansion);
+  return expansion.Finish();
 }
 
 }  // namespace tautline

@@ -18,8 +18,8 @@ struct Sighting {
   friend auto operator<=>(const Sighting&, const Sighting&) = default;
 };
 
-/// The corners visible from a point, each once, tangent at the corner. At a vertex where obstacles touch, all free
-/// sectors see. O(triangles seen). [Bungiu2014]
+/// The corners visible from a place, each once, tangent at the corner. On a vertex, only the sector of the place's
+/// triangle sees. O(triangles seen). [Bungiu2014]
 std::vector<Sighting> SeeFromPoint(const FreeMesh& mesh, const Corners& corners, Place place);
 
 /// The corners visible from a corner along bitangents, each once. Only the two cones in which a taut curve can leave

@@ -290,11 +290,13 @@ TEST(FreeSpace, ClearanceMergesWhatComesTooNear) {
 TEST(FreeSpace, GrowthIsNotTooSmallBesideSomethingHuge) {
   // The coordinate grid is as coarse as the whole scene asks for, and growth must allow for that.
   World world = Room({Block("far", {20, 0}, {1e9, 1e9})});
-  world.clearance = 0.5;
-  const Expected<FreeSpace> space = BuildFreeSpace(world);
-  ASSERT_TRUE(space);
-  EXPECT_FALSE(ComponentOf(*space, {0.4999999, 5}));
-  EXPECT_GT(space->grid, 1e-4);
+  for (const double clearance : {0.1, 0.3, 0.6, 0.7, 1.1}) {
+    world.clearance = clearance;
+    const Expected<FreeSpace> space = BuildFreeSpace(world);
+    ASSERT_TRUE(space);
+    EXPECT_FALSE(ComponentOf(*space, {clearance - 1e-7, 5})) << clearance;
+    EXPECT_GT(space->grid, 1e-4);
+  }
 }
 
 TEST(FreeSpace, CourtyardsAreComponents) {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "tautline/base/check.h"
+
 namespace tautline {
 namespace {
 
@@ -102,7 +104,7 @@ class ClassChoiceSearch {
   /// Carries the tether along the label's last leg and pulls it taut; drops the walk when both now end alike.
   void PullTether(Label& label) {
     Walk walk = WalkBefore(label);
-    WalkStraight(space_.mesh(), PointAt(label.corner), walk);
+    TAUTLINE_CHECK(!WalkStraight(space_.mesh(), PointAt(label.corner), walk));
     const TautCurve tether = PullTaut(space_.mesh(), walk);
     label.tether = tether.length;
     const std::size_t n = tether.points.size();
@@ -134,7 +136,7 @@ class ClassChoiceSearch {
       return label.tether + Distance(PointAt(label.corner), goal);
     }
     Walk walk = candidate.label < 0 ? laid_ : *At(candidate.label).walk;
-    WalkStraight(space_.mesh(), goal, walk);
+    TAUTLINE_CHECK(!WalkStraight(space_.mesh(), goal, walk));
     return PullTaut(space_.mesh(), walk).length;
   }
 

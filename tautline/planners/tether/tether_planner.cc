@@ -111,7 +111,7 @@ void TetherPlanner::ListAll(const LaidCable& laid, Place goal, const PlanOptions
 /// The best motion, and the shorter one that the tether forbids. Requires that a motion exists.
 void TetherPlanner::Choose(const LaidCable& laid, Place goal, const PlanOptions& options, PlanResult& result) const {
   const double limit = result.limit * (1 + kTetherTolerance);
-  const ClassList direct = FindClasses(*space_, laid.walk.at, goal.point, {.max_length = {}, .max_count = 1});
+  const ClassList direct = FindClassesOnward(*space_, laid.walk, goal, {.max_length = {}, .max_count = 1});
   Motion shortest = MotionAlong(laid, direct.classes.at(0).points);
   result.status = PlanStatus::kSolved;
   if (shortest.tether.length <= limit) {
@@ -144,7 +144,7 @@ PlanResult TetherPlanner::Plan(const Tether& tether, Point goal, const PlanOptio
                       ExplainLaidCable(*space_, laid.error().obstruction, laid.error().at));
   }
   result.start = laid->in_socket ? space_->MakePath({tether.base}) : TetherAlong(laid->socket, laid->walk);
-  if (space_->mesh().ComponentOf(laid->robot().triangle) != space_->mesh().ComponentOf(place->triangle)) {
+  if (!space_->mesh().Connected(laid->robot(), *place)) {
     return Infeasible(std::move(result), PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal));
   }
   if (result.start.length > limit) {

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# make_figures.sh [BUILD]: draws every picture of the documentation again, with the program and the libraries of a
+# build folder (default: build/release). Run it after a change of the pictures and look at what git says.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+build=${1:-build/release}
+out=docs/img
+
+draw() {  # draw FILE COMMAND...: tautline COMMAND with the picture in FILE; exit status 3 has a picture, too
+  local file=$out/$1 status=0
+  shift
+  "$build/apps/cli/tautline" "$@" --quiet "--${file##*.}" "$file" || status=$?
+  ((status == 0 || status == 3))
+}
+
+draw willow_demo.png plan scenes/willow_demo.yaml
+draw plan.svg plan scenes/store_room.yaml
+draw classes.svg classes scenes/tanks.yaml --count 6
+draw taut.svg taut scenes/tanks.yaml
+draw show.svg show scenes/free_ground.yaml
+draw engine_taut.svg taut scenes/store_room.yaml
+draw engine_classes.svg classes scenes/store_room.yaml
+draw engine_choice.svg plan scenes/store_room.yaml --all
+python3 -B $out/shrink_png.py $out/willow_demo.png
+
+# What no command draws.
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+lib() { echo "$build/tautline/$1/libtautline_$2.a"; }
+g++ -std=c++20 -O1 -ffp-contract=off -I. $out/engine_figures.cc -o "$folder/engine_figures" \
+  "$(lib planners/tether tether)" "$(lib draw draw)" "$(lib homotopy homotopy)" "$(lib scene scene_native)" \
+  "$(lib scene scene)" "$(lib geometry geometry)" -lyaml-cpp -lpng
+"$folder/engine_figures" scenes/store_room.yaml $out
