@@ -61,12 +61,12 @@ std::string DrawSleeve(const Scene& scene, const TetherPlanner& planner) {
 std::string DrawGraph(const Scene& scene, const TetherPlanner& planner) {
   const Corners& corners = planner.space().corners();
   const auto edges = planner.space().graph().edges();
-  Figure figure(scene, planner.space().free_space(),
-                {.title = std::to_string(corners.size()) + " corners, " + std::to_string(edges.size() / 2) +
-                          " bitangents of the " + std::to_string(corners.size() * (corners.size() - 1) / 2) +
-                          " pairs of corners",
-                 .legend = {{Marker::kPoint, "corner", {"where a taut curve can bend"}},
-                            {kSharedEdgeLine, "bitangent", {"an edge of the graph in both directions"}}}});
+  Figure figure(
+      scene, planner.space().free_space(),
+      {.title = std::to_string(corners.size()) + " corners, " + std::to_string(edges.size() / 2) +
+                " bitangents of the " + std::to_string(corners.size() * (corners.size() - 1) / 2) + " pairs of corners",
+       .legend = {{Marker::kPoint, "corner", {"where a taut curve can bend"}},
+                  {kSharedEdgeLine, "bitangent", {"an edge of the graph in both directions"}}}});
   for (const TautEdge& edge : edges) {
     if (edge.to < edge.from) continue;
     figure.Line("bitangents", Polyline{corners[edge.from].point, corners[edge.to].point}, kSharedEdgeLine);
@@ -131,7 +131,10 @@ std::string DrawTetherAlong(const Scene& scene, const TetherPlanner& planner) {
   SvgWriter svg({.width = 800, .height = 460, .title = "The tether along two motions"});
   svg.Rectangle({{0, 0}, {800, 460}}, {.fill = "#ffffff"});
   const Chart chart(chosen.back().x, 1.1 * std::max(result.limit, rejected.back().y));
-  svg.Text({.at = {20, 28}, .text = "The tether along two motions: convex, so greatest at an end", .size = 17, .bold = true});
+  svg.Text({.at = {20, 28},
+            .text = "The tether along two motions: convex, so greatest at an end",
+            .size = 17,
+            .bold = true});
   chart.DrawAxes(svg);
   const Point limit_end = chart.At({chosen.back().x, result.limit});
   svg.Polyline(std::vector{chart.At({0, result.limit}), limit_end},
@@ -143,7 +146,7 @@ std::string DrawTetherAlong(const Scene& scene, const TetherPlanner& planner) {
   svg.Text({.at = chart.At(rejected.back()) + Point{10, -6},
             .text = "rejected: ends at " + LengthText(rejected.back().y, 2),
             .fill = kRejectedLine.colour});
-  svg.Text({.at = chart.At(chosen.back()) + Point{-10, 22},
+  svg.Text({.at = chart.At(chosen.back()) + Point{-10, 46},
             .text = "chosen: ends at " + LengthText(chosen.back().y, 2),
             .anchor = TextAnchor::kEnd,
             .fill = kPathLine.colour});

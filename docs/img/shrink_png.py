@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Makes pictures smaller: a PNG with 8 bits for each of red, green and blue gets a palette.
 
-shrink_png.py FILE...   rewrites each file with its 128 most frequent colours; other PNGs stay as they are."""
+shrink_png.py FILE...   rewrites each file with its 256 most frequent colours; other PNGs stay as they are."""
 import collections
 import pathlib
 import struct
 import sys
 import zlib
 
-COLOURS = 128
+COLOURS = 256
 
 
 def chunks(data):

@@ -28,8 +28,8 @@ BoxIndex::BoxIndex(std::span<const Segment> segments) {
   const Point size = box.size();
   const double longest = std::max({size.x, size.y, 1e-300});
   const double cells = std::min(kMaxCells, 1.0 + static_cast<double>(segments.size()));
-  cell_ = std::max(std::sqrt(std::max(size.x, 1e-6 * longest) * std::max(size.y, 1e-6 * longest) / cells),
-                   longest / 20000);
+  cell_ =
+      std::max(std::sqrt(std::max(size.x, 1e-6 * longest) * std::max(size.y, 1e-6 * longest) / cells), longest / 20000);
   columns_ = static_cast<int>(size.x / cell_) + 1;
   rows_ = static_cast<int>(size.y / cell_) + 1;
   begin_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
@@ -45,7 +45,9 @@ BoxIndex::BoxIndex(std::span<const Segment> segments) {
   }
 }
 
-std::pair<int, int> BoxIndex::Columns(double low, double high) const { return Range(low, high, low_.x, cell_, columns_); }
+std::pair<int, int> BoxIndex::Columns(double low, double high) const {
+  return Range(low, high, low_.x, cell_, columns_);
+}
 
 std::pair<int, int> BoxIndex::Rows(double low, double high) const { return Range(low, high, low_.y, cell_, rows_); }
 

@@ -34,11 +34,16 @@ bool MeetsBox(BoxIndex::Segment s, const Box& box) {
 BoxIndex::Segment RandomSegment(Rng& rng, const Box& box) {
   const Point a = RandomPoint(rng, box), b = RandomPoint(rng, box);
   switch (rng.UniformInt(0, 4)) {
-    case 0: return {a, a};
-    case 1: return {a, {a.x, b.y}};
-    case 2: return {a, {b.x, a.y}};
-    case 3: return {a, Lerp(a, b, std::pow(10, rng.Uniform(-12, 0)))};
-    default: return {a, b};
+    case 0:
+      return {a, a};
+    case 1:
+      return {a, {a.x, b.y}};
+    case 2:
+      return {a, {b.x, a.y}};
+    case 3:
+      return {a, Lerp(a, b, std::pow(10, rng.Uniform(-12, 0)))};
+    default:
+      return {a, b};
   }
 }
 

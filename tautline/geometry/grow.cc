@@ -61,7 +61,8 @@ std::vector<Ring> GrowthPieces(std::span<const Point> ring, double radius, doubl
     const Point normal = RightNormal(a, b);
     const Point offset = radius * normal;
     pieces.push_back({a, a + offset, b + offset, b});
-    if (n == 2 || Orientation(a, b, c) > 0) pieces.push_back(CornerFan(b, normal, RightNormal(b, c), radius, arc_error));
+    if (n == 2 || Orientation(a, b, c) > 0)
+      pieces.push_back(CornerFan(b, normal, RightNormal(b, c), radius, arc_error));
   }
   return pieces;
 }

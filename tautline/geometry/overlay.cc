@@ -77,7 +77,7 @@ class OverlayBuilder {
   std::vector<GridSegment> segments_;
   std::vector<Layer> layer_of_segment_;
   Triangulation mesh_;
-  std::vector<InputEdge> edges_;                 ///< Of the triangulation, from the chains.
+  std::vector<InputEdge> edges_;  ///< Of the triangulation, from the chains.
   std::vector<std::size_t> segment_of_edge_;
   std::vector<Passage> passages_;                ///< Sorted by edge.
   std::vector<bool> blocked_;                    ///< By triangle.

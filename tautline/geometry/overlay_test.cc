@@ -296,7 +296,8 @@ PolygonWithHoles RandomLatticePolygon(Rng& rng) {
     return {corners, {}};
   }
   PolygonWithHoles polygon{Rectangle(low, high), {}};
-  if (kind == 2 && std::min(width, height) >= 3) polygon.holes.push_back(Rectangle(low + Point{1, 1}, high - Point{1, 1}));
+  if (kind == 2 && std::min(width, height) >= 3)
+    polygon.holes.push_back(Rectangle(low + Point{1, 1}, high - Point{1, 1}));
   return polygon;
 }
 

@@ -99,8 +99,7 @@ std::array<Point, 4> NearCircle(Rng& rng) {
   std::array<Point, 4> points;
   for (Point& p : points) {
     const double angle = rng.Uniform(0, 2 * std::numbers::pi);
-    p = anywhere ? RandomPoint(rng, scale)
-                 : Nudged(rng, centre + radius * Point{std::cos(angle), std::sin(angle)});
+    p = anywhere ? RandomPoint(rng, scale) : Nudged(rng, centre + radius * Point{std::cos(angle), std::sin(angle)});
   }
   return points;
 }

@@ -118,8 +118,8 @@ inline std::vector<PolygonWithHoles> RandomPolygons(Rng& rng, const Box& box) {
 
 /// A ring around the free ground of a test: the box, or a star in it; either orientation.
 inline Ring RandomOutline(Rng& rng, const Box& box) {
-  Ring outline = rng.UniformInt(0, 1) == 0 ? Rectangle(box.low, box.high)
-                                           : RandomStar(rng, box.centre(), 0.7 * box.size().x);
+  Ring outline =
+      rng.UniformInt(0, 1) == 0 ? Rectangle(box.low, box.high) : RandomStar(rng, box.centre(), 0.7 * box.size().x);
   if (rng.UniformInt(0, 1) == 0) std::reverse(outline.begin(), outline.end());
   return outline;
 }

@@ -92,8 +92,8 @@ std::vector<Node> HotNodes(std::span<const GridSegment> segments) {
 
 SnapGrid::SnapGrid(const Box& box) {
   const double extent = std::max({box.size().x, box.size().y, 1e-200});
-  const double greatest = std::max({std::fabs(box.low.x), std::fabs(box.low.y), std::fabs(box.high.x),
-                                    std::fabs(box.high.y), extent});
+  const double greatest =
+      std::max({std::fabs(box.low.x), std::fabs(box.low.y), std::fabs(box.high.x), std::fabs(box.high.y), extent});
   // 2^39 spacings from the centre to the side leave a factor of two for whoever goes a little beyond the box.
   int extent_exponent = 0, greatest_exponent = 0;
   std::frexp(extent, &extent_exponent);

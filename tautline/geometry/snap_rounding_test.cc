@@ -179,8 +179,8 @@ TEST(SnapGrid, RoundsToTheNearestNodeAndBack) {
     int exponent = 0;
     ASSERT_EQ(std::frexp(grid.spacing(), &exponent), 0.5);
     const double extent = std::max(box.size().x, box.size().y);
-    const double greatest = std::max({std::fabs(box.low.x), std::fabs(box.low.y), std::fabs(box.high.x),
-                                      std::fabs(box.high.y)});
+    const double greatest =
+        std::max({std::fabs(box.low.x), std::fabs(box.low.y), std::fabs(box.high.x), std::fabs(box.high.y)});
     ASSERT_LE(grid.spacing(), std::max(std::ldexp(extent, -39), std::ldexp(greatest, -50)));
     const Point p = RandomPoint(rng, box);
     const Point rounded = grid.ToPoint(grid.Round(p));

@@ -81,17 +81,16 @@ TEST(SnapVertices, EdgesSideBySideBecomeOne) {
 
 TEST(SnapVertices, AVertexFollowsOneThatMoves) {
   // The second is near the first, the third near where the second was.
-  std::vector<SourcedRing> rings = Sourced(
-      {Rectangle({0, 0}, {1, 1}), Rectangle({1.008, 0}, {2, 1}), {{1.008, 1.008}, {2, 3}, {1, 3}}});
+  std::vector<SourcedRing> rings =
+      Sourced({Rectangle({0, 0}, {1, 1}), Rectangle({1.008, 0}, {2, 1}), {{1.008, 1.008}, {2, 3}, {1, 3}}});
   SnapVertices(rings, kTolerance);
   EXPECT_EQ(rings[1].points, (Ring{{1, 0}, {2, 0}, {2, 1}, {1, 1}}));
   EXPECT_EQ(rings[2].points[0], (Point{1, 1}));
 }
 
 TEST(SnapVertices, LeavesAloneWhatIsOfOneSourceOrFartherAway) {
-  const std::vector<SourcedRing> before{{Rectangle({0, 0}, {1, 1}), 0},
-                                        {Rectangle({1.02, 0}, {2, 1}), 1},
-                                        {Rectangle({2.001, 0}, {3, 1}), 1}};
+  const std::vector<SourcedRing> before{
+      {Rectangle({0, 0}, {1, 1}), 0}, {Rectangle({1.02, 0}, {2, 1}), 1}, {Rectangle({2.001, 0}, {3, 1}), 1}};
   std::vector<SourcedRing> rings = before;
   EXPECT_TRUE(SnapVertices(rings, kTolerance).empty());
   for (std::size_t i = 0; i < rings.size(); ++i) EXPECT_EQ(rings[i].points, before[i].points);

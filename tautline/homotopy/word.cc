@@ -58,8 +58,9 @@ Expected<Word> ParseWord(std::string_view text, std::span<const std::string> nam
     if (inverse) name.remove_suffix(kInverse.size());
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
-      return InvalidInput("no obstacle is called '" + std::string(name) + "'; a word is made of obstacle names, such as " +
-                          (names.empty() ? "a" : names[0]) + " or " + (names.empty() ? "a" : names[0]) + "^-1");
+      return InvalidInput("no obstacle is called '" + std::string(name) +
+                          "'; a word is made of obstacle names, such as " + (names.empty() ? "a" : names[0]) + " or " +
+                          (names.empty() ? "a" : names[0]) + "^-1");
     }
     word.Append({ObstacleId(static_cast<std::size_t>(found - names.begin())), inverse});
   }

@@ -30,10 +30,10 @@ struct FreeComponent {
 
 /// An island of blocked ground: a letter of the words of this free space.
 struct Island {
-  std::string name;                 ///< Of the first of `members`.
-  Point representative;             ///< Strictly inside; its upward ray writes the letter.
-  std::vector<std::string> members; ///< Names of the obstacles merged into it, in the order of the scene.
-  double area = 0;                  ///< Square metres, with clearance, without courtyards.
+  std::string name;                  ///< Of the first of `members`.
+  Point representative;              ///< Strictly inside; its upward ray writes the letter.
+  std::vector<std::string> members;  ///< Names of the obstacles merged into it, in the order of the scene.
+  double area = 0;                   ///< Square metres, with clearance, without courtyards.
 };
 
 /// Obstacles that came to lie in one blocked piece of ground.
@@ -47,7 +47,7 @@ struct Snap {
   std::string obstacle;  ///< Whose vertex; "wall" for the outline.
   Point from;
   Point to;
-  std::string onto;      ///< The obstacle (or "wall") that it was moved onto.
+  std::string onto;  ///< The obstacle (or "wall") that it was moved onto.
 };
 
 struct FreeSpaceOptions {
@@ -64,10 +64,10 @@ struct FreeSpace {
   std::vector<Island> islands;            ///< By ObstacleId, in the order of the scene; the alphabet of the words.
   std::vector<Merge> merges;              ///< In the order of their first members.
   std::vector<Snap> snaps;
-  Box box;                                ///< Around the outline.
-  double clearance = 0;                   ///< Metres, as built in.
-  double snap = 0;                        ///< Metres, as used.
-  double grid = 0;                        ///< The spacing of the coordinate grid that all vertices lie on, metres.
+  Box box;               ///< Around the outline.
+  double clearance = 0;  ///< Metres, as built in.
+  double snap = 0;       ///< Metres, as used.
+  double grid = 0;       ///< The spacing of the coordinate grid that all vertices lie on, metres.
 
   const std::string& name(ObstacleId id) const { return islands[id.index()].name; }
 };

@@ -246,9 +246,9 @@ TEST(FreeSpace, IslandsStandInTheOrderOfTheScene) {
 }
 
 TEST(FreeSpace, OverlappingObstaclesTakeTheFirstName) {
-  const Expected<FreeSpace> space = BuildFreeSpace(
-      Room({Block("a", {1, 1}, {2, 2}), Block("b", {5, 5}, {7, 7}), Block("c", {1.5, 1.5}, {3, 3}),
-            Block("d", {6, 6}, {8, 8}), Block("e", {3, 3}, {4, 4})}));
+  const Expected<FreeSpace> space =
+      BuildFreeSpace(Room({Block("a", {1, 1}, {2, 2}), Block("b", {5, 5}, {7, 7}), Block("c", {1.5, 1.5}, {3, 3}),
+                           Block("d", {6, 6}, {8, 8}), Block("e", {3, 3}, {4, 4})}));
   ASSERT_TRUE(space);
   ASSERT_EQ(space->islands.size(), 2u);
   EXPECT_EQ(space->islands[0].name, "a");
@@ -318,7 +318,8 @@ TEST(FreeSpace, CourtyardsAreComponents) {
 }
 
 TEST(FreeSpace, AGapBelowTheSnapToleranceIsClosedAndReported) {
-  World world = Room({Block("a", {2, 2}, {4, 4}), Block("b", {4 + 5e-7, 3}, {6, 5}), Block("c", {8, 8}, {9, 10 - 4e-7})});
+  World world =
+      Room({Block("a", {2, 2}, {4, 4}), Block("b", {4 + 5e-7, 3}, {6, 5}), Block("c", {8, 8}, {9, 10 - 4e-7})});
   const Expected<FreeSpace> space = BuildFreeSpace(world);
   ASSERT_TRUE(space);
   ASSERT_EQ(space->islands.size(), 1u);
