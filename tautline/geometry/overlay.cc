@@ -65,7 +65,7 @@ class OverlayBuilder {
 
   bool Blocked(TriangleId id) const { return blocked_[id.index()]; }
   bool IsBoundary(TriangleId id, int index) const {
-    const TriangleId across = mesh_.triangle(id).neighbours[static_cast<std::size_t>(index)];
+    const TriangleId across = mesh_.triangle(id).neighbour(index);
     return !across.valid() || Blocked(across);
   }
   static std::uint64_t Key(VertexId low, VertexId high) {
@@ -148,10 +148,10 @@ void OverlayBuilder::CollectPassages() {
 /// Updates the windings of a triangle to those of its neighbour across the given side.
 void OverlayBuilder::Cross(TriangleId triangle, int side, Windings& windings) const {
   const Triangle& here = mesh_.triangle(triangle);
-  if (!here.constrained[static_cast<std::size_t>(side)]) return;
+  if (!here.is_constrained(side)) return;
   // The triangle lies on the left of its edges; each passage along the edge winds the left side once more.
-  const VertexId from = here.vertices[static_cast<std::size_t>(Next(side))];
-  const VertexId to = here.vertices[static_cast<std::size_t>(Previous(side))];
+  const VertexId from = here.vertex(Next(side));
+  const VertexId to = here.vertex(Previous(side));
   const std::uint64_t edge = Key(std::min(from, to), std::max(from, to));
   auto passage = std::lower_bound(passages_.begin(), passages_.end(), edge,
                                   [](const Passage& p, std::uint64_t key) { return p.edge < key; });
@@ -181,7 +181,7 @@ void OverlayBuilder::FloodWindings() {
       continue;
     }
     ++trail.back().next_side;
-    const TriangleId across = mesh_.triangle(at).neighbours[static_cast<std::size_t>(side)];
+    const TriangleId across = mesh_.triangle(at).neighbour(side);
     if (!across.valid() || seen[across.index()]) continue;
     Cross(at, side, windings);
     seen[across.index()] = true;
@@ -244,14 +244,14 @@ OverlayRing OverlayBuilder::TraceRing(TriangleId triangle, int index) {
   int i = index;
   do {
     traced_[at.index()][static_cast<std::size_t>(i)] = true;
-    const VertexId from = mesh_.triangle(at).vertices[static_cast<std::size_t>(Next(i))];
+    const VertexId from = mesh_.triangle(at).vertex(Next(i));
     ring.points.push_back(mesh_.point(from));
     ring.blocked = blocked_component_[from.index()];
     // The edge runs to vertex Previous(i); the next edge starts there.
-    const VertexId pivot = mesh_.triangle(at).vertices[static_cast<std::size_t>(Previous(i))];
+    const VertexId pivot = mesh_.triangle(at).vertex(Previous(i));
     i = Next(i);
     while (!IsBoundary(at, i)) {
-      at = mesh_.triangle(at).neighbours[static_cast<std::size_t>(i)];
+      at = mesh_.triangle(at).neighbour(i);
       i = Previous(mesh_.triangle(at).IndexOf(pivot));
     }
   } while (at != triangle || i != index);

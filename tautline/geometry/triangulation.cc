@@ -37,7 +37,7 @@ TriangleId Triangulation::WalkTo(Point p, TriangleId from) const {
     TriangleId next;
     for (int k = 0; k < 3; ++k) {
       const int i = static_cast<int>((first + static_cast<std::uint32_t>(k)) % 3);
-      const TriangleId across = here.neighbours[static_cast<std::size_t>(i)];
+      const TriangleId across = here.neighbour(i);
       if (across == before || !across.valid()) continue;
       if (Orientation(corner(at, Next(i)), corner(at, Previous(i)), p) < 0) {
         next = across;

@@ -20,6 +20,10 @@ struct Triangle {
   std::array<TriangleId, 3> neighbours;
   std::array<bool, 3> constrained{};  ///< The edge opposite to vertices[i] is (part of) an input edge.
 
+  VertexId vertex(int i) const { return vertices[static_cast<std::size_t>(i)]; }
+  TriangleId neighbour(int i) const { return neighbours[static_cast<std::size_t>(i)]; }
+  bool is_constrained(int i) const { return constrained[static_cast<std::size_t>(i)]; }
+
   /// Which of the three vertices `vertex` is. Requires that it is one.
   int IndexOf(VertexId vertex) const { return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2; }
   /// Which of the three neighbours `triangle` is. Requires that it is one.
@@ -47,7 +51,7 @@ class Triangulation {
   std::span<const Triangle> triangles() const { return triangles_; }
   Point point(VertexId id) const { return points_[id.index()]; }
   const Triangle& triangle(TriangleId id) const { return triangles_[id.index()]; }
-  Point corner(TriangleId id, int i) const { return point(triangle(id).vertices[static_cast<std::size_t>(i)]); }
+  Point corner(TriangleId id, int i) const { return point(triangle(id).vertex(i)); }
 
   /// A triangle with this vertex.
   TriangleId TriangleAt(VertexId id) const { return triangle_at_[id.index()]; }

@@ -134,9 +134,9 @@ void TriangulationBuilder::Flip(TriangleId triangle, int index) {
 
 bool TriangulationBuilder::IsIllegal(TriangleId triangle, int index) {
   const Triangle& here = At(triangle);
-  const TriangleId across = here.neighbours[static_cast<std::size_t>(index)];
-  if (!across.valid() || here.constrained[static_cast<std::size_t>(index)]) return false;
-  const VertexId opposite = At(across).vertices[static_cast<std::size_t>(At(across).IndexOf(triangle))];
+  const TriangleId across = here.neighbour(index);
+  if (!across.valid() || here.is_constrained(index)) return false;
+  const VertexId opposite = At(across).vertex(At(across).IndexOf(triangle));
   return InCircle(mesh_.corner(triangle, 0), mesh_.corner(triangle, 1), mesh_.corner(triangle, 2),
                   PointOf(opposite)) > 0;
 }
@@ -147,7 +147,7 @@ void TriangulationBuilder::Legalise(VertexId vertex) {
     const auto [triangle, index] = suspicious_.back();
     suspicious_.pop_back();
     if (!IsIllegal(triangle, index)) continue;
-    const TriangleId across = At(triangle).neighbours[static_cast<std::size_t>(index)];
+    const TriangleId across = At(triangle).neighbour(index);
     Flip(triangle, index);
     suspicious_.emplace_back(triangle, At(triangle).IndexOf(vertex));
     suspicious_.emplace_back(across, At(across).IndexOf(vertex));
@@ -178,11 +178,11 @@ void TriangulationBuilder::ForEachInFan(VertexId vertex, Visit visit) {
   do {
     const int i = At(at).IndexOf(vertex);
     if (visit(at, i)) return;
-    at = At(at).neighbours[static_cast<std::size_t>(Next(i))];
+    at = At(at).neighbour(Next(i));
   } while (at.valid() && at != first);
   if (at.valid()) return;
   at = first;
-  while ((at = At(at).neighbours[static_cast<std::size_t>(Previous(At(at).IndexOf(vertex)))]).valid()) {
+  while ((at = At(at).neighbour(Previous(At(at).IndexOf(vertex)))).valid()) {
     if (visit(at, At(at).IndexOf(vertex))) return;
   }
 }
@@ -190,7 +190,7 @@ void TriangulationBuilder::ForEachInFan(VertexId vertex, Visit visit) {
 TriangulationBuilder::Side TriangulationBuilder::FindEdge(VertexId from, VertexId to) {
   Side side{{}, 0};
   ForEachInFan(from, [&](TriangleId at, int i) {
-    if (At(at).vertices[static_cast<std::size_t>(Next(i))] != to) return false;
+    if (At(at).vertex(Next(i)) != to) return false;
     side = {at, Previous(i)};
     return true;
   });
@@ -228,7 +228,7 @@ VertexId TriangulationBuilder::FirstVertexAlong(VertexId from, VertexId to) {
   const Point p = PointOf(from), q = PointOf(to);
   VertexId along;
   ForEachInFan(from, [&](TriangleId at, int i) {
-    const VertexId next = At(at).vertices[static_cast<std::size_t>(Next(i))];
+    const VertexId next = At(at).vertex(Next(i));
     const bool ahead = Orientation(p, q, PointOf(next)) == 0 && Dot(q - p, PointOf(next) - p) > 0;
     if (ahead) along = next;
     return ahead;
@@ -236,9 +236,9 @@ VertexId TriangulationBuilder::FirstVertexAlong(VertexId from, VertexId to) {
   if (along.valid()) return along;
   Side side = FirstCrossing(from, to);
   for (;;) {
-    const TriangleId across = At(side.triangle).neighbours[static_cast<std::size_t>(side.index)];
+    const TriangleId across = At(side.triangle).neighbour(side.index);
     const int i = At(across).IndexOf(side.triangle);
-    const VertexId apex = At(across).vertices[static_cast<std::size_t>(i)];
+    const VertexId apex = At(across).vertex(i);
     const int turn = Orientation(p, q, PointOf(apex));
     if (apex == to || turn == 0) return apex;
     // The segment leaves through the side between the apex and the vertex on the other side of the segment.
@@ -257,7 +257,7 @@ void TriangulationBuilder::CollectCrossings(VertexId from, VertexId to, std::deq
     crossings.emplace_back(here.vertices[(index + 1) % 3], here.vertices[(index + 2) % 3]);
     const TriangleId across = here.neighbours[index];
     const int i = At(across).IndexOf(side.triangle);
-    const VertexId apex = At(across).vertices[static_cast<std::size_t>(i)];
+    const VertexId apex = At(across).vertex(i);
     if (apex == to) return;
     side = {across, Orientation(PointOf(from), PointOf(to), PointOf(apex)) > 0 ? Next(i) : Previous(i)};
   }
@@ -272,9 +272,9 @@ std::vector<TriangulationBuilder::VertexPair> TriangulationBuilder::FlipAway(Ver
     crossings.pop_front();
     const Side side = FindEdge(right, left);
     const Triangle& here = At(side.triangle);
-    const VertexId apex = here.vertices[static_cast<std::size_t>(side.index)];
-    const TriangleId across = here.neighbours[static_cast<std::size_t>(side.index)];
-    const VertexId opposite = At(across).vertices[static_cast<std::size_t>(At(across).IndexOf(side.triangle))];
+    const VertexId apex = here.vertex(side.index);
+    const TriangleId across = here.neighbour(side.index);
+    const VertexId opposite = At(across).vertex(At(across).IndexOf(side.triangle));
     const Point a = PointOf(apex), b = PointOf(opposite);
     if (Orientation(a, b, PointOf(right)) * Orientation(a, b, PointOf(left)) >= 0) {
       crossings.emplace_back(right, left);  // Not strictly convex: another flip must come first.
@@ -298,9 +298,9 @@ void TriangulationBuilder::RestoreDelaunay(const std::vector<VertexPair>& edges)
     pending.pop_back();
     const Side side = FindEdge(a, b);
     if (!side.triangle.valid() || !IsIllegal(side.triangle, side.index)) continue;
-    const TriangleId across = At(side.triangle).neighbours[static_cast<std::size_t>(side.index)];
-    const VertexId apex = At(side.triangle).vertices[static_cast<std::size_t>(side.index)];
-    const VertexId opposite = At(across).vertices[static_cast<std::size_t>(At(across).IndexOf(side.triangle))];
+    const TriangleId across = At(side.triangle).neighbour(side.index);
+    const VertexId apex = At(side.triangle).vertex(side.index);
+    const VertexId opposite = At(across).vertex(At(across).IndexOf(side.triangle));
     Flip(side.triangle, side.index);
     for (const VertexId end : {apex, opposite}) {
       pending.emplace_back(end, a);

@@ -51,11 +51,11 @@ void ExpectConsistent(const Triangulation& mesh) {
     const TriangleId id(t);
     ASSERT_GT(Orientation(mesh.corner(id, 0), mesh.corner(id, 1), mesh.corner(id, 2)), 0);
     for (int i = 0; i < 3; ++i) {
-      const TriangleId across = mesh.triangle(id).neighbours[static_cast<std::size_t>(i)];
+      const TriangleId across = mesh.triangle(id).neighbour(i);
       if (!across.valid()) continue;
       const auto back = static_cast<std::size_t>(mesh.triangle(across).IndexOf(id));
       ASSERT_EQ(mesh.triangle(across).neighbours[back], id);
-      ASSERT_EQ(mesh.triangle(across).constrained[back], mesh.triangle(id).constrained[static_cast<std::size_t>(i)]);
+      ASSERT_EQ(mesh.triangle(across).constrained[back], mesh.triangle(id).is_constrained(i));
       if (mesh.triangle(across).constrained[back]) continue;
       const Point apex = mesh.point(mesh.triangle(across).vertices[back]);
       ASSERT_LE(InCircle(mesh.corner(id, 0), mesh.corner(id, 1), mesh.corner(id, 2), apex), 0);
@@ -67,7 +67,7 @@ std::set<std::pair<Point, Point>> ConstrainedEdges(const Triangulation& mesh) {
   std::set<std::pair<Point, Point>> edges;
   for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
     for (int i = 0; i < 3; ++i) {
-      if (!mesh.triangles()[t].constrained[static_cast<std::size_t>(i)]) continue;
+      if (!mesh.triangles()[t].is_constrained(i)) continue;
       edges.insert(std::minmax(mesh.corner(TriangleId(t), Next(i)), mesh.corner(TriangleId(t), Previous(i))));
     }
   }

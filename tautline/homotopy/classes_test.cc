@@ -119,7 +119,8 @@ std::optional<Question> RandomQuestion(std::uint64_t seed, bool lattice) {
   question.from = RandomFreePoint(rng, question.scene);
   question.to = rng.UniformInt(0, 7) == 0 ? question.from : RandomFreePoint(rng, question.scene);
   ClassOracle oracle(question.scene.rings, question.scene.representatives, std::vector{question.from, question.to});
-  const double least = oracle.DistancesTo(oracle.sight().NodesAt(question.to))[oracle.sight().NodesAt(question.from)[0]];
+  const double least =
+      oracle.DistancesTo(oracle.sight().NodesAt(question.to))[oracle.sight().NodesAt(question.from)[0]];
   question.max_length = std::isfinite(least) ? (least + 1) * rng.Uniform(1, 2.5) : 10;
   const auto classes = oracle.Classes(question.from, question.to, question.max_length);
   if (!classes) return std::nullopt;
@@ -127,7 +128,8 @@ std::optional<Question> RandomQuestion(std::uint64_t seed, bool lattice) {
   constexpr double kHair = 1e-7;
   while (!question.expected.empty() && question.expected.back().length > question.max_length * (1 - kHair)) {
     question.max_length = question.expected.back().length * (1 - 2 * kHair);
-    while (!question.expected.empty() && question.expected.back().length > question.max_length) question.expected.pop_back();
+    while (!question.expected.empty() && question.expected.back().length > question.max_length)
+      question.expected.pop_back();
   }
   return question;
 }
@@ -192,8 +194,8 @@ TEST_P(ClassesRandom, AreCompleteExactlyWhenNothingIsLeft) {
     const auto count = static_cast<std::int64_t>(question.expected.size());
     for (const std::int64_t most : {count - 1, count, count + 1}) {
       if (most < 0) continue;
-      const ClassList list = FindClasses(space, question.from, question.to,
-                                         {.max_length = question.max_length, .max_count = most});
+      const ClassList list =
+          FindClasses(space, question.from, question.to, {.max_length = question.max_length, .max_count = most});
       ASSERT_EQ(list.complete, most >= count);
       ASSERT_EQ(list.classes.size(), static_cast<std::size_t>(std::min(most, count)));
       ASSERT_FALSE(list.budget_exceeded);
@@ -259,7 +261,8 @@ TEST_P(ClassesRandom, KeepTheirLengthsInAQuarterTurn) {
   const Map turn = [](Point p) { return Point{-p.y, p.x}; };
   ForEachQuestion(200, [&](const Question& question, Rng&) {
     const TautSpace space(Moved(question, turn, 1).first);
-    ExpectSameLengths(FindClasses(space, turn(question.from), turn(question.to), UpTo(question.max_length)), question, 1);
+    ExpectSameLengths(FindClasses(space, turn(question.from), turn(question.to), UpTo(question.max_length)), question,
+                      1);
   });
 }
 
@@ -285,7 +288,8 @@ TEST(FindClasses, KeepsItsLengthsInATurnedScaledAndMovedScene) {
     const Point shift{scale * rng.Uniform(-100, 100), scale * rng.Uniform(-100, 100)};
     const Map map = [&](Point p) { return shift + p.x * x + p.y * y; };
     const TautSpace space(Moved(*question, map, scale).first);
-    const ClassList list = FindClasses(space, map(question->from), map(question->to), UpTo(scale * question->max_length));
+    const ClassList list =
+        FindClasses(space, map(question->from), map(question->to), UpTo(scale * question->max_length));
     ExpectSameLengths(list, *question, scale);
     if (HasFatalFailure()) return;
   }

@@ -37,8 +37,8 @@ void Corners::Add(const FreeMesh& mesh, Point previous, Point point, Point next,
   for (;;) {
     const int i = mesh.triangle(at).IndexOf(vertex);
     at_[3 * at.index() + static_cast<std::size_t>(i)] = id;
-    if (mesh.triangle(at).constrained[static_cast<std::size_t>(Next(i))]) return;
-    at = mesh.triangle(at).neighbours[static_cast<std::size_t>(Next(i))];
+    if (mesh.triangle(at).is_constrained(Next(i))) return;
+    at = mesh.triangle(at).neighbour(Next(i));
   }
 }
 

@@ -102,7 +102,7 @@ TEST_P(CornersRandom, OwnTheTrianglesOfTheirSectors) {
       for (int i = 0; i < 3; ++i) {
         // No two reflex sectors fit around one vertex.
         const auto at_vertex = std::find_if(corners.all().begin(), corners.all().end(), [&](const Corner& corner) {
-          return corner.vertex == mesh.triangle(id).vertices[static_cast<std::size_t>(i)];
+          return corner.vertex == mesh.triangle(id).vertex(i);
         });
         const bool owned = at_vertex != corners.all().end() && InSectorOf(*at_vertex, mesh, id);
         ASSERT_EQ(corners.At(id, i).valid(), owned);

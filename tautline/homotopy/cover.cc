@@ -54,7 +54,7 @@ class StraightWalk {
   /// Turns within the free sector around the vertex until the target is ahead; false when it never is.
   bool TurnAround(int i) {
     if (Ahead(at_, i)) return true;
-    const VertexId vertex = mesh_.triangle(at_).vertices[static_cast<std::size_t>(i)];
+    const VertexId vertex = mesh_.triangle(at_).vertex(i);
     for (const bool counter_clockwise : {true, false}) {
       std::vector<TriangleId> passed;
       TriangleId id = at_;
@@ -77,7 +77,7 @@ class StraightWalk {
   bool StartInOtherSector(int i) {
     if (walk_.sleeve.size() > 1 || walk_.from != pivot_) return false;
     bool found = false;
-    mesh_.ForEachFreeAround(mesh_.triangle(at_).vertices[static_cast<std::size_t>(i)], [&](TriangleId id, int k) {
+    mesh_.ForEachFreeAround(mesh_.triangle(at_).vertex(i), [&](TriangleId id, int k) {
       if (found || !Ahead(id, k)) return;
       found = true;
       at_ = id;
@@ -97,8 +97,8 @@ class StraightWalk {
         pivot_ = side_a == 0 ? a : b;
         return std::nullopt;
       }
-      if (mesh_.triangle(at_).constrained[static_cast<std::size_t>(i)]) return CrossingPoint(a, b);
-      StepTo(mesh_.triangle(at_).neighbours[static_cast<std::size_t>(i)]);
+      if (mesh_.triangle(at_).is_constrained(i)) return CrossingPoint(a, b);
+      StepTo(mesh_.triangle(at_).neighbour(i));
       return std::nullopt;
     }
     TAUTLINE_CHECK(false && "a segment that has not arrived leaves its triangle");

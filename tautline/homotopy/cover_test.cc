@@ -86,7 +86,8 @@ TEST(WalkStraight, StopsWhereItLeavesTheFreeSpace) {
 
 TEST(WalkStraight, DoesNotSlipBetweenObstaclesThatTouch) {
   const Ground ground(kTouchingBlocks);
-  for (const auto& [from, to] : {std::pair<Point, Point>{{1, 3}, {3, 1}}, {{1.5, 2.25}, {2.5, 1.75}}, {{1, 2}, {3, 2}}}) {
+  for (const auto& [from, to] :
+       {std::pair<Point, Point>{{1, 3}, {3, 1}}, {{1.5, 2.25}, {2.5, 1.75}}, {{1, 2}, {3, 2}}}) {
     Walk walk = ground.At(from);
     const auto blocked = WalkStraight(ground.mesh, to, walk);
     ASSERT_TRUE(blocked);
@@ -150,7 +151,8 @@ TEST_P(CoverRandom, AWalkAndItsReverseAreNothing) {
     const FreeMesh mesh(scene.space);
     const std::vector<Point> points{RandomFreePoint(rng, scene), RandomFreePoint(rng, scene)};
     const ClassOracle oracle(scene.rings, scene.representatives, points);
-    const auto laid = RandomWalk(rng, oracle, oracle.sight().NodesAt(points[0])[0], oracle.sight().NodesAt(points[1])[0]);
+    const auto laid =
+        RandomWalk(rng, oracle, oracle.sight().NodesAt(points[0])[0], oracle.sight().NodesAt(points[1])[0]);
     if (!laid) continue;
     Walk walk(mesh.Locate(points[0], 0).value());
     for (const Point p : *laid) ASSERT_FALSE(WalkStraight(mesh, p, walk));

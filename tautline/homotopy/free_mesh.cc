@@ -66,7 +66,7 @@ void FreeMesh::MarkFree(const std::vector<InputEdge>& edges) {
       const Triangle& here = mesh_.triangle(stack.back());
       stack.pop_back();
       for (int i = 0; i < 3; ++i) {
-        if (!here.constrained[static_cast<std::size_t>(i)]) add(here.neighbours[static_cast<std::size_t>(i)]);
+        if (!here.is_constrained(i)) add(here.neighbour(i));
       }
     }
     ++components;
@@ -77,8 +77,8 @@ TriangleId FreeMesh::LeftOf(VertexId from, VertexId to) const {
   TriangleId at = mesh_.TriangleAt(from);
   for (;;) {
     const int i = mesh_.triangle(at).IndexOf(from);
-    if (mesh_.triangle(at).vertices[static_cast<std::size_t>(Next(i))] == to) return at;
-    at = mesh_.triangle(at).neighbours[static_cast<std::size_t>(Next(i))];
+    if (mesh_.triangle(at).vertex(Next(i)) == to) return at;
+    at = mesh_.triangle(at).neighbour(Next(i));
   }
 }
 
@@ -88,7 +88,7 @@ void FreeMesh::IndexBoundary() {
     const TriangleId id(t);
     if (!IsFree(id)) continue;
     for (int i = 0; i < 3; ++i) {
-      if (!mesh_.triangle(id).constrained[static_cast<std::size_t>(i)]) continue;
+      if (!mesh_.triangle(id).is_constrained(i)) continue;
       boundary_.push_back({id, i});
       segments.emplace_back(mesh_.corner(id, Next(i)), mesh_.corner(id, Previous(i)));
     }
@@ -108,11 +108,11 @@ std::optional<Place> FreeMesh::OnBoundaryOfBlocked(TriangleId id, Point p) const
   for (int i = 0; i < 3; ++i) {
     if (mesh_.corner(id, i) == p) {
       std::optional<Place> place;
-      ForEachFreeAround(mesh_.triangle(id).vertices[static_cast<std::size_t>(i)],
+      ForEachFreeAround(mesh_.triangle(id).vertex(i),
                         [&](TriangleId free, int) { place = Place{p, free}; });
       return place;
     }
-    const TriangleId across = mesh_.triangle(id).neighbours[static_cast<std::size_t>(i)];
+    const TriangleId across = mesh_.triangle(id).neighbour(i);
     if (IsFree(across) && Orientation(mesh_.corner(id, Next(i)), mesh_.corner(id, Previous(i)), p) == 0) {
       return Place{p, across};
     }
@@ -162,7 +162,7 @@ std::vector<Place> FreeMesh::Sectors(Place place) const {
   // Each sector starts, counter-clockwise, at a triangle with a wall on its right.
   std::vector<Place> sectors;
   ForEachFreeAround(*vertex, [&](TriangleId id, int i) {
-    if (mesh_.triangle(id).constrained[static_cast<std::size_t>(Previous(i))]) sectors.push_back({place.point, id});
+    if (mesh_.triangle(id).is_constrained(Previous(i))) sectors.push_back({place.point, id});
   });
   return sectors;
 }
@@ -180,7 +180,7 @@ std::vector<VertexId> FreeMesh::VerticesNear(Point a, Point b, double tolerance)
   std::vector<std::pair<double, VertexId>> found;
   boundary_index_->ForEachAlong(a, b, tolerance, [&](std::size_t k) {
     const BoundaryEdge& edge = boundary_[k];
-    const VertexId vertex = mesh_.triangle(edge.triangle).vertices[static_cast<std::size_t>(Next(edge.index))];
+    const VertexId vertex = mesh_.triangle(edge.triangle).vertex(Next(edge.index));
     const Point v = mesh_.point(vertex);
     if (DistanceToSegment(v, a, b) <= tolerance) found.emplace_back(Dot(v - a, b - a), vertex);
   });

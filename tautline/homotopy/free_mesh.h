@@ -58,7 +58,7 @@ class FreeMesh {
     do {
       const int i = mesh_.triangle(at).IndexOf(vertex);
       if (IsFree(at)) visit(at, i);
-      at = mesh_.triangle(at).neighbours[static_cast<std::size_t>(Next(i))];
+      at = mesh_.triangle(at).neighbour(Next(i));
     } while (at != first);
   }
 

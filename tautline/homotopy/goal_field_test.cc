@@ -65,7 +65,8 @@ TEST_P(GoalFieldRandom, HasTheLegsThatItsGoalSees) {
     const auto legs = LegsFrom(space, goal);
     for (std::size_t c = 0; c < space.corners().size(); ++c) {
       const Corner& corner = space.corners().all()[c];
-      const auto leg = std::find_if(legs.begin(), legs.end(), [c](const TautLeg& l) { return l.corner == CornerId(c); });
+      const auto leg =
+          std::find_if(legs.begin(), legs.end(), [c](const TautLeg& l) { return l.corner == CornerId(c); });
       const Point from = random_scene::RandomPlace(rng, scene);
       for (const Side head : {Side::kLeft, Side::kRight}) {
         const bool expected =

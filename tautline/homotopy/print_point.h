@@ -9,9 +9,7 @@
 
 namespace tautline {
 
-inline void PrintTo(Point p, std::ostream* out) {
-  *out << std::setprecision(17) << '(' << p.x << ", " << p.y << ')';
-}
+inline void PrintTo(Point p, std::ostream* out) { *out << std::setprecision(17) << '(' << p.x << ", " << p.y << ')'; }
 
 }  // namespace tautline
 

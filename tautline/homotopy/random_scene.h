@@ -48,10 +48,17 @@ inline Obstacle PolygonObstacle(const World& world, Ring ring) {
 inline Ring RandomHook(Rng& rng, Point centre, double size) {
   const double wall = rng.Uniform(0.05, 0.3), angle = rng.Uniform(0, 2 * std::numbers::pi), left = rng.Uniform(0.3, 1);
   Ring hook;
-  for (const Point p : {Point{-1, -1}, {1, -1}, {1, 1}, {1 - wall, 1}, {1 - wall, wall - 1}, {wall - 1, wall - 1},
-                        {wall - 1, left}, {-1, left}}) {
-    hook.push_back(centre + 0.7 * size * Point{std::cos(angle) * p.x - std::sin(angle) * p.y,
-                                               std::sin(angle) * p.x + std::cos(angle) * p.y});
+  for (const Point p : {Point{-1, -1},
+                        {1, -1},
+                        {1, 1},
+                        {1 - wall, 1},
+                        {1 - wall, wall - 1},
+                        {wall - 1, wall - 1},
+                        {wall - 1, left},
+                        {-1, left}}) {
+    hook.push_back(centre + 0.7 * size *
+                                Point{std::cos(angle) * p.x - std::sin(angle) * p.y,
+                                      std::sin(angle) * p.x + std::cos(angle) * p.y});
   }
   return hook;
 }
@@ -143,11 +150,13 @@ inline Ring RandomLatticeRing(Rng& rng) {
     const Point a = LatticePoint(rng);
     Ring ring;
     if (rng.UniformInt(0, 2) > 0) {
-      ring = Rectangle(a, a + Point{static_cast<double>(rng.UniformInt(1, 3)), static_cast<double>(rng.UniformInt(1, 3))});
+      ring =
+          Rectangle(a, a + Point{static_cast<double>(rng.UniformInt(1, 3)), static_cast<double>(rng.UniformInt(1, 3))});
     } else {
       const int corners = rng.UniformInt(3, 4);
       for (int i = 0; i < corners; ++i) {
-        ring.push_back(a + Point{static_cast<double>(rng.UniformInt(-2, 2)), static_cast<double>(rng.UniformInt(-2, 2))});
+        ring.push_back(a +
+                       Point{static_cast<double>(rng.UniformInt(-2, 2)), static_cast<double>(rng.UniformInt(-2, 2))});
       }
       ring = DropCollinear(ring);
     }
@@ -158,7 +167,8 @@ inline Ring RandomLatticeRing(Rng& rng) {
 inline World LatticeWorld(Rng& rng) {
   World world;
   world.outline = Rectangle({0, 0}, {10, 8});
-  if (rng.UniformInt(0, 3) == 0) world.outline = {{0, 0}, {4, 0}, {5, 2}, {6, 0}, {10, 0}, {10, 8}, {4, 8}, {4, 6}, {0, 8}};
+  if (rng.UniformInt(0, 3) == 0)
+    world.outline = {{0, 0}, {4, 0}, {5, 2}, {6, 0}, {10, 0}, {10, 8}, {4, 8}, {4, 6}, {0, 8}};
   const int wanted = rng.UniformInt(1, 8);
   for (int i = 0; i < wanted; ++i) world.obstacles.push_back(PolygonObstacle(world, RandomLatticeRing(rng)));
   return world;

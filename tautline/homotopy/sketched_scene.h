@@ -23,9 +23,9 @@ struct SketchedScene {
   Point operator[](char mark) const { return marks.at(mark); }
 };
 
-/// The scene that the rows draw, the highest one first. Cells are 1 m wide, the lower left corner is (0, 0), the outline
-/// is the rectangle. '.' is free; the cells with one small letter are one obstacle of that name, in the order of the
-/// alphabet; a capital letter or a digit marks a free cell. Requires rows of one length.
+/// The scene that the rows draw, the highest one first. Cells are 1 m wide, the lower left corner is (0, 0), the
+/// outline is the rectangle. '.' is free; the cells with one small letter are one obstacle of that name, in the order
+/// of the alphabet; a capital letter or a digit marks a free cell. Requires rows of one length.
 inline SketchedScene Sketch(const std::vector<std::string_view>& rows) {
   const int height = static_cast<int>(rows.size()), width = static_cast<int>(rows.at(0).size());
   SketchedScene scene;

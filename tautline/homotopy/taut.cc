@@ -75,8 +75,8 @@ TautCurve PullTaut(const FreeMesh& mesh, const Walk& walk) {
     const Triangle& here = mesh.triangle(triangles[k]);
     const int i = here.IndexOf(triangles[k + 1]);
     // Leaving across the side from Next(i) to Previous(i) with the triangle on its left: Next(i) is on the right.
-    const VertexId new_right = here.vertices[static_cast<std::size_t>(Next(i))];
-    const VertexId new_left = here.vertices[static_cast<std::size_t>(Previous(i))];
+    const VertexId new_right = here.vertex(Next(i));
+    const VertexId new_left = here.vertex(Previous(i));
     if (new_right != right) funnel.AddRight({mesh.point(new_right), new_right});
     if (new_left != left) funnel.AddLeft({mesh.point(new_left), new_left});
     right = new_right;

@@ -25,7 +25,8 @@ std::string WordOf(const TautSpace& space, const Shortened& shortened) {
 TEST(Shorten, GivesPointsLengthAndWord) {
   const auto scene = TwoBlocks();
   const TautSpace space(SpaceOf(scene));
-  const Shortened shortened = Shorten(space, Polyline{scene['A'], scene['C'], {4, 4.5}, {4, 0.5}, scene['F'], scene['B']});
+  const Shortened shortened =
+      Shorten(space, Polyline{scene['A'], scene['C'], {4, 4.5}, {4, 0.5}, scene['F'], scene['B']});
   ASSERT_FALSE(shortened.departure);
   EXPECT_EQ(shortened.path.points, (Polyline{scene['A'], {2, 4}, {3, 4}, {5, 1}, {6, 1}, scene['B']}));
   EXPECT_NEAR(shortened.path.length, 2 * std::hypot(1.5, 1.5) + 2 + std::hypot(2, 3), 1e-12);
@@ -35,7 +36,8 @@ TEST(Shorten, GivesPointsLengthAndWord) {
 TEST(Shorten, KeepsAPointAPoint) {
   const auto scene = TwoBlocks();
   const TautSpace space(SpaceOf(scene));
-  for (const Polyline& polyline : {Polyline{scene['A']}, {scene['A'], scene['A']}, {scene['A'], scene['C'], scene['A']}}) {
+  for (const Polyline& polyline :
+       {Polyline{scene['A']}, {scene['A'], scene['A']}, {scene['A'], scene['C'], scene['A']}}) {
     const Shortened shortened = Shorten(space, polyline);
     EXPECT_EQ(shortened.path.points, (Polyline{scene['A']}));
     EXPECT_EQ(shortened.path.length, 0);
@@ -61,7 +63,8 @@ TEST(Shorten, ForgivesWhatIsWithinTheTolerance) {
   const auto scene = TwoBlocks();
   const TautSpace space(SpaceOf(scene));
   const double inside = 0.5 * space.tolerance();
-  const Shortened shortened = Shorten(space, Polyline{{2 + inside, 1 + inside}, {2 + inside, 4 - inside}, {3 - inside, 4 - inside}});
+  const Shortened shortened =
+      Shorten(space, Polyline{{2 + inside, 1 + inside}, {2 + inside, 4 - inside}, {3 - inside, 4 - inside}});
   ASSERT_FALSE(shortened.departure);
   EXPECT_NEAR(shortened.path.length, 4, 4 * space.tolerance());
   EXPECT_EQ(shortened.path.points, (Polyline{{2, 1}, {2, 4}, {3, 4}}));
@@ -74,7 +77,8 @@ TEST(TautSpace, FollowGoesOnFromWhereTheWalkStands) {
   std::optional<Walk> walk;
   ASSERT_FALSE(space.Follow(Polyline{scene['A'], scene['C']}, walk));
   ASSERT_FALSE(space.Follow(Polyline{scene['D'], scene['B']}, walk));
-  EXPECT_EQ(space.Pull(*walk).points, Shorten(space, Polyline{scene['A'], scene['C'], scene['D'], scene['B']}).path.points);
+  EXPECT_EQ(space.Pull(*walk).points,
+            Shorten(space, Polyline{scene['A'], scene['C'], scene['D'], scene['B']}).path.points);
 }
 
 class TautSpaceRandom : public testing::TestWithParam<bool> {};
@@ -88,7 +92,8 @@ TEST_P(TautSpaceRandom, ShortenIsTheSameForTheSameClass) {
     Rng rng(static_cast<std::uint64_t>(seed));
     const RandomScene scene = MakeRandomScene(rng, GetParam());
     const TautSpace space(scene.space);
-    const std::vector<Point> points{RandomFreePoint(rng, scene), RandomFreePoint(rng, scene), RandomFreePoint(rng, scene)};
+    const std::vector<Point> points{RandomFreePoint(rng, scene), RandomFreePoint(rng, scene),
+                                    RandomFreePoint(rng, scene)};
     const ClassOracle oracle(scene.rings, scene.representatives, points);
     const std::size_t from = oracle.sight().NodesAt(points[0])[0], to = oracle.sight().NodesAt(points[1])[0];
     const auto one = RandomWalk(rng, oracle, from, to), other = RandomWalk(rng, oracle, from, to);

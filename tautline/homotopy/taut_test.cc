@@ -82,7 +82,8 @@ TEST_P(TautRandom, IsTheShortestCurveOfItsClass) {
     Rng rng(static_cast<std::uint64_t>(seed));
     const RandomScene scene = MakeRandomScene(rng, GetParam());
     const FreeMesh mesh(scene.space);
-    const std::vector<Point> points{RandomFreePoint(rng, scene), RandomFreePoint(rng, scene), RandomFreePoint(rng, scene)};
+    const std::vector<Point> points{RandomFreePoint(rng, scene), RandomFreePoint(rng, scene),
+                                    RandomFreePoint(rng, scene)};
     ClassOracle oracle(scene.rings, scene.representatives, points);
     const std::size_t from = oracle.sight().NodesAt(points[0])[0], to = oracle.sight().NodesAt(points[1])[0];
     const auto laid = RandomWalk(rng, oracle, from, to);

@@ -62,7 +62,7 @@ class Expansion {
 
   /// Adds the window unless its side is a wall or no taut curve from the own corner can pass it.
   void Push(const Window& window) {
-    if (mesh_.triangle(window.triangle).constrained[static_cast<std::size_t>(window.side)]) return;
+    if (mesh_.triangle(window.triangle).is_constrained(window.side)) return;
     if (own_ != nullptr && Orientation(own_->previous, eye_, window.right) > 0 &&
         Orientation(own_->next, eye_, window.left) < 0) {
       return;
@@ -71,7 +71,7 @@ class Expansion {
   }
 
   void LookInto(const Window& window) {
-    const TriangleId id = mesh_.triangle(window.triangle).neighbours[static_cast<std::size_t>(window.side)];
+    const TriangleId id = mesh_.triangle(window.triangle).neighbour(window.side);
     const int apex = mesh_.triangle(id).IndexOf(window.triangle);
     const Point c = mesh_.triangulation().corner(id, apex);
     const int from_right = Orientation(eye_, window.right, c), from_left = Orientation(eye_, window.left, c);
@@ -132,14 +132,13 @@ std::vector<Sighting> SeeFromPoint(const FreeMesh& mesh, const Corners& corners,
   for (int i = 0; i < 3; ++i) {
     const Point a = mesh.triangulation().corner(place.triangle, Next(i));
     const Point b = mesh.triangulation().corner(place.triangle, Previous(i));
-    const auto k = static_cast<std::size_t>(i);
-    if (mesh.point(here.vertices[k]) == place.point) {
-      LookFromSector(mesh, here.vertices[k], FirstOfSector(mesh, here.vertices[k], place.triangle), expansion);
+    if (mesh.point(here.vertex(i)) == place.point) {
+      LookFromSector(mesh, here.vertex(i), FirstOfSector(mesh, here.vertex(i), place.triangle), expansion);
       return expansion.Finish();
     }
     if (a == place.point || b == place.point || Orientation(a, b, place.point) != 0) continue;
     expansion.LookFromSide(place.triangle, i);
-    const TriangleId across = here.neighbours[k];
+    const TriangleId across = here.neighbour(i);
     if (mesh.IsFree(across)) expansion.LookFromSide(across, mesh.triangle(across).IndexOf(place.triangle));
     return expansion.Finish();
   }

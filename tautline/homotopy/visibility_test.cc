@@ -133,7 +133,8 @@ TEST_P(VisibilityRandom, FromACornerIsBruteForceSightAlongBitangents) {
         const Side head = SideOf(from.point, to.point, to.previous, to.next);
         if (tail != Side::kNone && head != Side::kNone) expected.push_back({CornerId(b), tail, head});
       }
-      ASSERT_EQ(SeeFromCorner(ground.mesh, ground.corners, CornerId(a)), expected) << from.point.x << ' ' << from.point.y;
+      ASSERT_EQ(SeeFromCorner(ground.mesh, ground.corners, CornerId(a)), expected)
+          << from.point.x << ' ' << from.point.y;
     }
   }
 }

@@ -62,8 +62,8 @@ class WordPathSearch {
     const TriangleId before = node.parent < 0 ? TriangleId() : nodes_[static_cast<std::size_t>(node.parent)].triangle;
     const Triangle& here = space_.mesh().triangle(node.triangle);
     for (int i = 0; i < 3; ++i) {
-      const TriangleId across = here.neighbours[static_cast<std::size_t>(i)];
-      if (here.constrained[static_cast<std::size_t>(i)] || across == before) continue;
+      const TriangleId across = here.neighbour(i);
+      if (here.is_constrained(i) || across == before) continue;
       const Point middle = Lerp(space_.mesh().triangulation().corner(node.triangle, Next(i)),
                                 space_.mesh().triangulation().corner(node.triangle, Previous(i)), 0.5);
       Push({across, middle, WordBetween(node.entry, middle).Inverse() * node.missing, position, node.depth + 1});

@@ -74,9 +74,8 @@ double GridSpacing(const std::vector<SourcedRing>& rings, double clearance, doub
   return SnapGrid({box.low - Point{reach, reach}, box.high + Point{reach, reach}}).spacing();
 }
 
-const std::string& NameOf(const World& world, std::int32_t snap_source) {
-  static const std::string wall = "wall";
-  return snap_source == kWallSource ? wall : world.obstacles[static_cast<std::size_t>(snap_source - 1)].name;
+std::string NameOf(const World& world, std::int32_t snap_source) {
+  return snap_source == kWallSource ? "wall" : world.obstacles[static_cast<std::size_t>(snap_source - 1)].name;
 }
 
 Point RepresentativeOf(const Obstacle& obstacle) {

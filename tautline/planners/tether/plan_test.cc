@@ -288,9 +288,20 @@ TEST_P(PlanRandom, IsAsLongInAMirroredTurnedAndScaledScene) {
   ForEachTether(100, [](RandomTether& question, const OracleMotion& expected, Rng& rng) {
     const Scene scene = question.scene();
     const double scale = std::exp2(rng.UniformInt(-10, 10));
-    const auto mirrored = Moved(scene, [](Point p) { return Point{-p.x, p.y}; }, 1);
-    const auto turned = Moved(scene, [](Point p) { return Point{-p.y, p.x}; }, 1);
-    const auto scaled = Moved(scene, [scale](Point p) { return scale * p; }, scale);
+    const auto mirrored = Moved(
+        scene,
+        [](Point p) {
+          return Point{-p.x, p.y};
+        },
+        1);
+    const auto turned = Moved(
+        scene,
+        [](Point p) {
+          return Point{-p.y, p.x};
+        },
+        1);
+    const auto scaled = Moved(
+        scene, [scale](Point p) { return scale * p; }, scale);
     ExpectLength(LengthOf(PlanOf(mirrored).motion), expected.checked);
     ExpectLength(LengthOf(PlanOf(turned).motion), expected.checked);
     ExpectLength(LengthOf(PlanOf(scaled).motion) / scale, expected.checked);

@@ -38,7 +38,11 @@ inline std::optional<double> RandomLimit(Rng& rng, ClassOracle& oracle, const Po
   if (!std::isfinite(laid_length)) return std::nullopt;
   const double needed = std::isfinite(to_goal) ? std::max(laid_length, to_goal) : laid_length;
   double enough = needed;
-  oracle.Run({.start = {robot}, .word = word, .remaining = oracle.DistancesTo(std::vector{target}), .limit = 1e300, .allowed = {}},
+  oracle.Run({.start = {robot},
+              .word = word,
+              .remaining = oracle.DistancesTo(std::vector{target}),
+              .limit = 1e300,
+              .allowed = {}},
              [&](const ClassOracle::State& state) {
                if (state.node != target) return true;
                enough = oracle.LengthOf(base, target, state.word, laid_length + state.length);

@@ -98,7 +98,8 @@ TEST_F(VerifyPlanTest, RejectsAWrongWord) {
 }
 
 TEST_F(VerifyPlanTest, RejectsAnotherClass) {
-  const ClassList tethers = FindClasses(planner_.space(), sketch_['B'], sketch_['G'], {.max_length = {}, .max_count = 3});
+  const ClassList tethers =
+      FindClasses(planner_.space(), sketch_['B'], sketch_['G'], {.max_length = {}, .max_count = 3});
   const ClassList paths = FindClasses(planner_.space(), sketch_['R'], sketch_['G'], {.max_length = {}, .max_count = 3});
   for (const TautPath& tether : tethers.classes) {
     for (const TautPath& path : paths.classes) {
