@@ -74,13 +74,10 @@ Expected<Found> FindWord(const TetherPlanner& planner, const Socket& socket, Pla
   // The word counts from the start on; the stub of a socket has written some of it when the walk begins.
   const Point stub[] = {socket.base, socket.exit.point};
   const Word from_exit = planner.space().rays().WordOf(stub).Inverse() * *word;
-  WordPath found = FindWordPath(planner.space(), socket.exit, goal, from_exit, {.budget = question.options.budget});
-  if (!found.path) {
-    if (found.budget_exceeded) return Found{{{}, false, true}, "", ""};
-    return Found{{}, "no_such_class", "no path between these points has the word '" + *question.word + "'"};
-  }
-  if (socket.stub_length > 0) found.path->points.insert(found.path->points.begin(), socket.base);
-  return Found{{{planner.space().MakePath(std::move(found.path->points))}, true, false}, "", ""};
+  auto path = FindWordPath(planner.space(), socket.exit, goal, from_exit);
+  if (!path) return Found{{}, "no_such_class", "no path between these points has the word '" + *question.word + "'"};
+  if (socket.stub_length > 0) path->points.insert(path->points.begin(), socket.base);
+  return Found{{{planner.space().MakePath(std::move(path->points))}, true, false}, "", ""};
 }
 
 Expected<Found> Find(const TetherPlanner& planner, const Question& question) {
@@ -115,9 +112,6 @@ Json ToJson(const Found& found, const FreeSpace& space) {
 
 std::string ToText(const Found& found, const Question& question, const FreeSpace& space) {
   if (!found.reason.empty()) return fmt::format("No class: {}.\n", found.explanation);
-  if (question.word && found.list.budget_exceeded) {
-    return fmt::format("The class of '{}' was not found within the budget; raise --budget.\n", *question.word);
-  }
   const std::vector<std::string> names = NamesOf(space);
   const std::size_t count = found.list.classes.size();
   std::string text = fmt::format("{} class{}", count, count == 1 ? "" : "es");

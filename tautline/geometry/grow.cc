@@ -40,18 +40,10 @@ Ring CornerFan(Point corner, Point normal, Point next_normal, double radius, dou
   return fan;
 }
 
-/// The corners of the ring; the ends of one that has collapsed to a segment, or its only point.
-Ring Clean(std::span<const Point> ring) {
-  Ring clean = DropCollinear(ring);
-  if (clean.size() >= 3 || ring.empty()) return clean;
-  const auto [low, high] = std::minmax_element(ring.begin(), ring.end());
-  return *low == *high ? Ring{*low} : Ring{*low, *high};
-}
-
 }  // namespace
 
 std::vector<Ring> GrowthPieces(std::span<const Point> ring, double radius, double arc_error) {
-  const Ring clean = Clean(ring);
+  const Ring clean = DropStraight(ring);
   std::vector<Ring> pieces;
   const std::size_t n = clean.size();
   if (n == 1) pieces.push_back(CircumscribedPolygon(clean[0], radius, arc_error));
@@ -61,7 +53,8 @@ std::vector<Ring> GrowthPieces(std::span<const Point> ring, double radius, doubl
     const Point normal = RightNormal(a, b);
     const Point offset = radius * normal;
     pieces.push_back({a, a + offset, b + offset, b});
-    if (n == 2 || Orientation(a, b, c) > 0)
+    // Straight on cannot be, so no turn is a turn back.
+    if (Orientation(a, b, c) >= 0)
       pieces.push_back(CornerFan(b, normal, RightNormal(b, c), radius, arc_error));
   }
   return pieces;

@@ -11,8 +11,8 @@ namespace tautline {
 
 /// Counter-clockwise rings that, united with the ground on the left of `ring`, contain every point within `radius`
 /// metres of that ground and no point farther than radius * (1 + arc_error): a rectangle along each edge and, at each
-/// convex corner, a fan whose outer polyline circumscribes the arc. A ring that has collapsed to a segment or a point
-/// counts as that. Requires radius > 0 and arc_error in (0, 1]. O(n) rings.
+/// convex corner, a fan whose outer polyline circumscribes the arc. Where the ring has no area, as in spikes, it grows
+/// as the segment or the point that it is. Requires radius > 0 and arc_error in (0, 1]. O(n) rings.
 std::vector<Ring> GrowthPieces(std::span<const Point> ring, double radius, double arc_error);
 
 /// A regular polygon around the circle, nowhere more than radius * arc_error beyond it. Counter-clockwise.

@@ -90,6 +90,15 @@ TEST(GrowthPieces, OfCollapsedRings) {
   EXPECT_TRUE(GrowthPieces(Ring{}, 1, 0.01).empty());
 }
 
+TEST(GrowthPieces, OfASpike) {
+  const Ring ring{{0, 0}, {2, 0}, {7, 0}, {2, 0}, {2, 2}, {0, 2}};
+  const std::vector<Ring> pieces = GrowthPieces(ring, 1, 0.01);
+  for (const Point p : {Point{5, 0.9}, Point{5, -0.9}, Point{7.9, 0}, Point{7.7, 0.7}}) {
+    EXPECT_TRUE(Covered(ring, pieces, p)) << p.x << " " << p.y;
+  }
+  EXPECT_FALSE(Covered(ring, pieces, {8.1, 0}));
+}
+
 TEST(CircumscribedPolygon, HoldsTheDiscAndLittleMore) {
   Rng rng(1);
   for (int round = 0; round < 200; ++round) {

@@ -1,6 +1,7 @@
 #include "tautline/geometry/polygon.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "tautline/geometry/predicates.h"
 
@@ -117,6 +118,19 @@ Point NearestOnSegment(Point p, Point a, Point b) {
 }
 
 double DistanceToSegment(Point p, Point a, Point b) { return Distance(p, NearestOnSegment(p, a, b)); }
+
+Ring DropStraight(std::span<const Point> ring) {
+  Ring distinct;
+  std::unique_copy(ring.begin(), ring.end(), std::back_inserter(distinct));
+  while (distinct.size() > 1 && distinct.front() == distinct.back()) distinct.pop_back();
+  const std::size_t n = distinct.size();
+  Ring kept;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point before = distinct[(i + n - 1) % n], p = distinct[i], after = distinct[(i + 1) % n];
+    if (Orientation(before, p, after) != 0 || Dot(p - before, after - p) <= 0) kept.push_back(p);
+  }
+  return kept;
+}
 
 Ring DropCollinear(std::span<const Point> ring) {
   Ring kept;

@@ -68,6 +68,9 @@ double DistanceToSegment(Point p, Point a, Point b);
 /// The point of the closed segment ab that is nearest to p.
 Point NearestOnSegment(Point p, Point a, Point b);
 
+/// The ring without repeated neighbours and without vertices at which it goes straight on, exactly. Spikes stay.
+Ring DropStraight(std::span<const Point> ring);
+
 /// The ring without repeated neighbours and without vertices that are exactly collinear with theirs. Spikes go; fewer
 /// than three points are left of a ring that has no area.
 Ring DropCollinear(std::span<const Point> ring);

@@ -138,6 +138,20 @@ TEST(Polygon, DropCollinearKeepsCornersOnly) {
   }
 }
 
+TEST(Polygon, DropStraightKeepsSpikes) {
+  // A square with a spike from (2, 0) to (7, 0), with superfluous vertices on sides and spike.
+  const Ring busy{{0, 0}, {2, 0}, {5, 0}, {7, 0}, {7, 0}, {4, 0}, {2, 0}, {2, 1}, {2, 2}, {0, 2}};
+  for (std::size_t by = 0; by < busy.size(); ++by) {
+    SCOPED_TRACE(by);
+    Ring corners = DropStraight(Rotated(busy, by));
+    std::rotate(corners.begin(), std::find(corners.begin(), corners.end(), busy[0]), corners.end());
+    EXPECT_EQ(corners, (Ring{{0, 0}, {7, 0}, {2, 0}, {2, 2}, {0, 2}}));
+  }
+  EXPECT_EQ(DropStraight(Ring{{0, 0}, {2, 2}, {1, 1}}), (Ring{{0, 0}, {2, 2}}));
+  EXPECT_EQ(DropStraight(Ring{{1, 1}, {1, 1}}), (Ring{{1, 1}}));
+  EXPECT_TRUE(DropStraight(Ring{}).empty());
+}
+
 TEST(Polygon, DropCollinearDropsSpikesWhereverTheRingStarts) {
   const Ring spiked{{0, 0}, {2, 0}, {5, 0}, {7, 0}, {2, 0}, {2, 2}, {0, 2}};
   for (std::size_t by = 0; by < spiked.size(); ++by) {

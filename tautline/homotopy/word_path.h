@@ -2,28 +2,18 @@
 #ifndef TAUTLINE_HOMOTOPY_WORD_PATH_H_
 #define TAUTLINE_HOMOTOPY_WORD_PATH_H_
 
-#include <cstdint>
 #include <optional>
 
 #include "tautline/homotopy/taut_space.h"
 
 namespace tautline {
 
-struct WordPathOptions {
-  std::int64_t budget = 1'000'000;  ///< Triangles of the cover that may be looked at.
-};
-
-struct WordPath {
-  std::optional<TautPath> path;  ///< The taut path of the class.
-  bool budget_exceeded = false;  ///< Nothing was found within the budget. Every reduced word names a class between two
-                                 ///< points of a free space whose islands all lie in one component; others may not.
-};
-
-/// The taut path from one place to another whose reduced ray word is `word`. Searches the dual tree of the universal
-/// cover, nearest word first; a class is one node of that tree, so the first match is the only one. Requires both
-/// places in one component.
-WordPath FindWordPath(const TautSpace& space, Place from, Place to, const Word& word,
-                      const WordPathOptions& options = {});
+/// The taut path from one place to another whose reduced ray word is `word`; nothing when no path between them has that
+/// word, which happens only where an island lies in another component of the free space. The word is drawn as a
+/// polyline around the representative points, and that is pushed out of the obstacles, around each of them on the
+/// side, and as often, as their representatives ask for. Requires that the places are connected. O(letters * triangles
+/// across the map) without columns shared by many rays.
+std::optional<TautPath> FindWordPath(const TautSpace& space, Place from, Place to, const Word& word);
 
 }  // namespace tautline
 

@@ -39,10 +39,7 @@ std::vector<SourcedRing> BlockedRings(const World& world, double arc_error) {
 
 /// Drops the vertices that growth leaves out, or rounding would open slits between a ring and its growth.
 void ShareEdgesWithGrowth(std::vector<SourcedRing>& rings) {
-  for (SourcedRing& ring : rings) {
-    Ring corners = DropCollinear(ring.points);
-    if (corners.size() >= 3) ring.points = std::move(corners);
-  }
+  for (SourcedRing& ring : rings) ring.points = DropStraight(ring.points);
 }
 
 /// The rings that cover blocked ground inside the outline, with growth.

@@ -380,6 +380,18 @@ TEST(FreeSpace, AnObstacleThatSnapsToAPointStillGrows) {
   EXPECT_NEAR(space->islands[0].area, 4 + 4 + std::acos(-1) / 4, 0.01);
 }
 
+TEST(FreeSpace, AnObstacleThatSnapsToASpikeStillGrows) {
+  // Both long sides of the needle are bent through the corner of the block, so beyond it no area is left.
+  World world = Room({Block("block", {2, 2}, {4, 4}), Block("needle", {}, {})});
+  world.obstacles[1].polygon->outer = {{1, 4 + 1e-7}, {8, 4 + 1e-7}, {1, 4 + 2e-7}};
+  world.clearance = 0.5;
+  const Expected<FreeSpace> space = BuildFreeSpace(world);
+  ASSERT_TRUE(space);
+  EXPECT_FALSE(ComponentOf(*space, {8.4, 4}));
+  EXPECT_FALSE(ComponentOf(*space, {6, 4.4}));
+  EXPECT_TRUE(ComponentOf(*space, {6, 4.6}));
+}
+
 TEST(FreeSpace, NothingFreeIsAnError) {
   World world = Room({Block("all", {-1, -1}, {11, 11})});
   const Expected<FreeSpace> space = BuildFreeSpace(world);

@@ -1,0 +1,42 @@
+// A word drawn as a polyline among the representative points of the obstacles.
+#ifndef TAUTLINE_HOMOTOPY_WORD_DRAWING_H_
+#define TAUTLINE_HOMOTOPY_WORD_DRAWING_H_
+
+#include <map>
+#include <vector>
+
+#include "tautline/base/rng.h"
+#include "tautline/homotopy/word.h"
+#include "tautline/scene/free_space.h"
+
+namespace tautline {
+
+/// Draws words in the plane without the representative points: below all of them nothing is crossed, and a letter is
+/// a trip from there up beside its ray, across it just above its start, and down again.
+class WordDrawing {
+ public:
+  /// Lines are drawn at random places between the columns of the rays, so that they meet no vertex by chance.
+  WordDrawing(const FreeSpace& space, Rng& rng);
+
+  /// A polyline from `from` to `to`, neither in the column of a ray, whose word is `word`.
+  Polyline Draw(Point from, const Word& word, Point to) const;
+
+ private:
+  /// The rays that share an x, from the lowest start up, and lines beside and above them.
+  struct Column {
+    double left;
+    double right;
+    std::vector<ObstacleId> islands;
+    std::vector<double> above;  ///< A height between the start of each ray and the next higher one's.
+  };
+
+  void AddLetter(Letter letter, Polyline& drawing) const;
+
+  std::map<double, Column> columns_;
+  std::vector<double> column_of_island_;
+  double ground_;
+};
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_HOMOTOPY_WORD_DRAWING_H_
