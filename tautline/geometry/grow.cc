@@ -54,8 +54,7 @@ std::vector<Ring> GrowthPieces(std::span<const Point> ring, double radius, doubl
     const Point offset = radius * normal;
     pieces.push_back({a, a + offset, b + offset, b});
     // Straight on cannot be, so no turn is a turn back.
-    if (Orientation(a, b, c) >= 0)
-      pieces.push_back(CornerFan(b, normal, RightNormal(b, c), radius, arc_error));
+    if (Orientation(a, b, c) >= 0) pieces.push_back(CornerFan(b, normal, RightNormal(b, c), radius, arc_error));
   }
   return pieces;
 }

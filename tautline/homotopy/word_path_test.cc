@@ -1,0 +1,95 @@
+#include "tautline/homotopy/word_path.h"
+
+#include <gtest/gtest.h>
+
+#include "tautline/base/rng.h"
+#include "tautline/base/test_scale.h"
+#include "tautline/homotopy/classes.h"
+#include "tautline/homotopy/random_scene.h"
+#include "tautline/homotopy/sketched_scene.h"
+
+namespace tautline {
+namespace {
+
+std::optional<TautPath> PathOf(const TautSpace& space, Point from, Point to, std::string_view word) {
+  return FindWordPath(space, *space.Locate(from), *space.Locate(to), ParseWord(word, space.rays().names()).value());
+}
+
+TEST(FindWordPath, LeadsAroundTheNamedObstacles) {
+  const auto scene = Sketch({".........",  //
+                             "A.a...b.B",  //
+                             "..a...b..",  //
+                             "........."});
+  const TautSpace space(SpaceOf(scene));
+  EXPECT_EQ(PathOf(space, scene['A'], scene['B'], "")->points,
+            (Polyline{scene['A'], {2, 1}, {7, 1}, scene['B']}));
+  EXPECT_EQ(PathOf(space, scene['A'], scene['B'], "a b")->points,
+            (Polyline{scene['A'], {2, 3}, {7, 3}, scene['B']}));
+  EXPECT_EQ(PathOf(space, scene['A'], scene['B'], "a")->points,
+            (Polyline{scene['A'], {2, 3}, {3, 3}, {6, 1}, {7, 1}, scene['B']}));
+  EXPECT_EQ(PathOf(space, scene['A'], scene['A'], "a a")->word.size(), 2U);
+}
+
+TEST(FindWordPath, TellsObstaclesOfOneColumnApart) {
+  const auto scene = Sketch({".....",  //
+                             "..b..",  //
+                             "A...B",  //
+                             "..a..",  //
+                             "....."});
+  const TautSpace space(SpaceOf(scene));
+  // Between the two only a's ray is crossed; above both, a's and then b's.
+  EXPECT_EQ(PathOf(space, scene['A'], scene['B'], "a")->points, (Polyline{scene['A'], scene['B']}));
+  EXPECT_EQ(PathOf(space, scene['A'], scene['B'], "a b")->points, (Polyline{scene['A'], {2, 4}, {3, 4}, scene['B']}));
+  EXPECT_EQ(PathOf(space, scene['A'], scene['B'], "")->points, (Polyline{scene['A'], {2, 1}, {3, 1}, scene['B']}));
+  EXPECT_TRUE(PathOf(space, scene['A'], scene['B'], "b"));
+}
+
+TEST(FindWordPath, KnowsThatACourtyardIsLeftByNoWord) {
+  const auto scene = Sketch({".......",  //
+                             ".aaaaa.",  //
+                             ".aA.Ba.",  //
+                             ".aaaaa.",  //
+                             "......."});
+  const TautSpace space(SpaceOf(scene));
+  const auto straight = space.rays().WordOf(Polyline{scene['A'], scene['B']});
+  EXPECT_TRUE(FindWordPath(space, *space.Locate(scene['A']), *space.Locate(scene['B']), straight));
+  EXPECT_FALSE(PathOf(space, scene['A'], scene['B'], "a a a"));
+}
+
+TEST(FindWordPath, FindsTheClassOfEveryListedWord) {
+  const auto rounds = static_cast<std::uint64_t>(ScaledTestCount(1000));
+  for (std::uint64_t seed = 1; seed <= rounds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const RandomScene scene = MakeRandomScene(rng);
+    const TautSpace space(scene.space);
+    const Point from = RandomFreePoint(rng, scene), to = RandomFreePoint(rng, scene);
+    for (const TautPath& path : FindClasses(space, from, to, {.max_length = {}, .max_count = 12}).classes) {
+      const auto found = FindWordPath(space, *space.Locate(from), *space.Locate(to), path.word);
+      ASSERT_TRUE(found) << ToString(path.word, space.rays().names());
+      ASSERT_EQ(found->points, path.points);
+    }
+  }
+}
+
+TEST(FindWordPath, FindsAPathForEveryWordWhereAllIslandsAreInReach) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const RandomScene scene = MakeRandomScene(rng);
+    if (scene.space.components.size() > 1 || scene.space.islands.empty()) continue;
+    const TautSpace space(scene.space);
+    const auto from = space.Locate(RandomFreePoint(rng, scene)), to = space.Locate(RandomFreePoint(rng, scene));
+    Word word;
+    for (int i = rng.UniformInt(0, 8); i > 0; --i) {
+      const int island = rng.UniformInt(0, static_cast<int>(scene.space.islands.size()) - 1);
+      word.Append({ObstacleId(island), rng.UniformInt(0, 1) == 1});
+    }
+    const auto found = FindWordPath(space, *from, *to, word);
+    ASSERT_TRUE(found) << ToString(word, space.rays().names());
+    ASSERT_EQ(found->word, word);
+  }
+}
+
+}  // namespace
+}  // namespace tautline
