@@ -85,14 +85,16 @@ Expected<Found> Find(const TetherPlanner& planner, const Question& question) {
   const auto socket = FindSocket(space, planner.ungrown(), question.from);
   const auto goal = space.Locate(question.to);
   if (!socket) {
-    return Found{{}, "start_blocked", ExplainLaidCable(space, PlanObstruction::kStartBlocked, question.from)};
+    return Found{{}, "start_blocked", ExplainBlocked(space, "the start", question.from)};
   }
-  if (!goal) return Found{{}, "goal_blocked", ExplainGoalBlocked(space, question.to)};
+  if (!goal) return Found{{}, "goal_blocked", ExplainBlocked(space, "the goal", question.to)};
   if (!space.mesh().Connected(socket->exit, *goal)) {
     return Found{{}, "goal_unreachable", ExplainUnreachable(question.to)};
   }
   if (question.word) return FindWord(planner, *socket, *goal, question);
-  return Found{planner.TethersTo(*socket, *goal, question.options), "", ""};
+  Found found{planner.TethersTo(*socket, *goal, question.options), "", ""};
+  if (found.list.budget_exceeded) found.explanation = ExplainBudget(question.options.budget);
+  return found;
 }
 
 Json ToJson(const Found& found, const FreeSpace& space) {
@@ -100,8 +102,8 @@ Json ToJson(const Found& found, const FreeSpace& space) {
   Json json;
   json["command"] = "classes";
   json["status"] = !found.reason.empty() ? "infeasible" : found.list.budget_exceeded ? "budget_exceeded" : "solved";
-  if (!found.reason.empty()) {
-    json["reason"] = found.reason;
+  if (!found.reason.empty() || found.list.budget_exceeded) {
+    json["reason"] = found.reason.empty() ? "budget_exceeded" : found.reason;
     json["explanation"] = found.explanation;
   }
   json["classes"] = Json::array();
@@ -114,7 +116,7 @@ std::string ToText(const Found& found, const Question& question, const FreeSpace
   if (!found.reason.empty()) return fmt::format("No class: {}.\n", found.explanation);
   const std::vector<std::string> names = NamesOf(space);
   const std::size_t count = found.list.classes.size();
-  std::string text = fmt::format("{} class{}", count, count == 1 ? "" : "es");
+  std::string text = Counted(count, "class", "classes");
   if (question.word) text += fmt::format(" of the word '{}'", *question.word);
   if (question.options.max_length && !question.word) text += fmt::format(" up to {}", Metres(*question.options.max_length));
   if (!found.list.complete) text += found.list.budget_exceeded ? ", more exist: the budget ran out" : ", longer ones exist";
@@ -172,15 +174,22 @@ Run AddClasses(CLI::App& app) {
   AddCommonOptions(*sub, command->common);
   sub->add_option("--from", command->from, "where the paths start; default: the tether's base")->type_name("X,Y");
   sub->add_option("--to", command->to, "where they end; default: the goal")->type_name("X,Y");
-  sub->add_option("--max-length", command->options.max_length, "only classes no longer than this; default: the tether")
+  CLI::Option* max_length =
+      sub->add_option("--max-length", command->options.max_length, "only classes no longer than this; default: the tether")
       ->type_name("METRES")
       ->check(CLI::NonNegativeNumber);
-  sub->add_option("--count", command->options.max_count, "only so many, the shortest")->check(CLI::PositiveNumber);
-  sub->add_option("--word", command->word, "only the class of this ray word, such as \"a b^-1\"")->type_name("WORD");
-  sub->add_option("--budget", command->options.budget, "search steps after which to stop")->check(CLI::PositiveNumber);
+  CLI::Option* count = sub->add_option("--count", command->options.max_count, "only so many, the shortest");
+  count->check(CLI::PositiveNumber);
+  sub->add_option("--word", command->word, "only the class of this ray word, such as \"a b^-1\"")
+      ->type_name("WORD")
+      ->excludes(max_length)
+      ->excludes(count);
+  sub->add_option("--budget", command->options.budget, "search steps after which to stop")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   sub->footer(
       "Example:\n  tautline classes scenes/two_ways.yaml --count 5 --svg classes.svg\n"
-      "Exit status: 0 solved, 2 bad input, 3 an end is blocked or the budget ran out.");
+      "Exit status: 0 solved, 2 bad input, 3 an end is blocked, no class has the word, or the budget ran out.");
   return [command] { return RunClasses(*command); };
 }
 

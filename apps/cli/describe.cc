@@ -33,7 +33,11 @@ std::string Describe(std::span<const Point> points) {
 }
 
 std::string Describe(const Word& word, const std::vector<std::string>& names) {
-  return word.empty() ? "'' (straight, around nothing)" : "'" + ToString(word, names) + "'";
+  return word.empty() ? "'' (the empty word)" : "'" + ToString(word, names) + "'";
+}
+
+std::string Counted(std::size_t count, const std::string& singular, const std::string& plural) {
+  return fmt::format("{} {}", count, count == 1 ? singular : plural);
 }
 
 }  // namespace tautline::cli

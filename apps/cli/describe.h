@@ -17,8 +17,11 @@ std::string Metres(double value);
 /// "(1, 2) (3.5, 4) ...": points to millimetres; long lists are cut in the middle.
 std::string Describe(std::span<const Point> points);
 
-/// "'a b^-1'", or "'' (around nothing)".
+/// "'a b^-1'", or "'' (the empty word)".
 std::string Describe(const Word& word, const std::vector<std::string>& names);
+
+/// "1 class", "3 classes".
+std::string Counted(std::size_t count, const std::string& singular, const std::string& plural);
 
 }  // namespace tautline::cli
 

@@ -66,8 +66,9 @@ Json ToJson(const PlanResult& result, const FreeSpace& space) {
 
 void DescribeAll(const PlanResult& result, const std::vector<std::string>& names, std::string& text) {
   if (result.all.empty()) return;
-  text += fmt::format("\n{} classes that the tether allows{}, shortest motion first:\n", result.all.size(),
-                      result.all_complete ? "" : " (there are more: the budget ran out)");
+  text += fmt::format("\n{} that the tether allows{}, shortest motion first:\n",
+                      Counted(result.all.size(), "class", "classes"),
+                      result.all_complete ? "" : " (there may be more: the budget ran out)");
   for (std::size_t i = 0; i < result.all.size(); ++i) {
     text += fmt::format("  {:3}  path {:>10}  tether {:>10}  class {}\n", i + 1, Metres(result.all[i].path.length),
                         Metres(result.all[i].tether.length), Describe(result.all[i].tether.word, names));
@@ -147,7 +148,9 @@ Run AddPlan(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("plan", "the shortest motion of the tethered robot that its tether allows");
   AddCommonOptions(*sub, command->common);
   sub->add_flag("--all", command->options.all, "also list every class of the goal that the tether allows");
-  sub->add_option("--budget", command->options.budget, "search steps after which to stop")->check(CLI::PositiveNumber);
+  sub->add_option("--budget", command->options.budget, "search steps after which to stop")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   sub->footer(
       "Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n"
       "Exit status: 0 solved, 2 bad input, 3 no solution (with the reason).");

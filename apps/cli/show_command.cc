@@ -42,6 +42,7 @@ Json MapJson(const MapSource& map) {
   json["origin"] = {map.origin.x, map.origin.y};
   if (map.origin_yaw != 0) json["origin_yaw"] = map.origin_yaw;
   json["geographic"] = map.geographic;
+  if (map.skipped_features > 0) json["skipped_features"] = map.skipped_features;
   if (map.simplify > 0) json["simplify"] = map.simplify;
   return json;
 }
@@ -96,6 +97,7 @@ std::string MapText(const MapSource& map) {
                         Metres(map.resolution), map.free_cells, map.blocked_cells, map.unknown_cells);
   }
   if (map.geographic) text += fmt::format(", (0, 0) is longitude {:.7f}, latitude {:.7f}", map.origin.x, map.origin.y);
+  if (map.skipped_features > 0) text += fmt::format(", {} features skipped", map.skipped_features);
   return text + "\n";
 }
 

@@ -187,6 +187,7 @@ std::vector<VertexId> FreeMesh::VerticesNear(Point a, Point b, double tolerance)
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   std::vector<VertexId> vertices;
+  vertices.reserve(found.size());
   for (const auto& [along, vertex] : found) vertices.push_back(vertex);
   return vertices;
 }

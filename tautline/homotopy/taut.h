@@ -21,7 +21,7 @@ struct TautCurve {
 };
 
 /// The one shortest curve from walk.from to walk.at in the class of the walk's sleeve. No turn is straight. Exact but
-/// for the length. O(n) for n triangles. [LeePreparata1984, HershbergerSnoeyink1994]
+/// for the length. O(n) for n triangles. [LeePreparata1984, Hershberger1994]
 TautCurve PullTaut(const FreeMesh& mesh, const Walk& walk);
 
 }  // namespace tautline

@@ -24,7 +24,7 @@ VisibilityGraph::VisibilityGraph(const FreeMesh& mesh, const Corners& corners) :
     const auto found = std::lower_bound(out.begin(), out.end(), std::tuple(edge.from, Opposite(edge.head)),
                                         [](const TautEdge& e, const auto& key) { return std::tie(e.to, e.tail) < key; });
     TAUTLINE_CHECK(found != out.end() && found->to == edge.from && found->tail == Opposite(edge.head));
-    reverse_.push_back(EdgeId(static_cast<std::size_t>(&*found - edges_.data())));
+    reverse_.emplace_back(static_cast<std::size_t>(&*found - edges_.data()));
   }
 }
 

@@ -9,7 +9,7 @@ WordDrawing::WordDrawing(const FreeSpace& space, Rng& rng) {
   ground_ = space.box.low.y - extent * rng.Uniform(0.1, 0.2);
   for (std::size_t i = 0; i < space.islands.size(); ++i) {
     column_of_island_.push_back(space.islands[i].representative.x);
-    columns_[column_of_island_.back()].islands.push_back(ObstacleId(i));
+    columns_[column_of_island_.back()].islands.emplace_back(i);
   }
   for (auto it = columns_.begin(); it != columns_.end(); ++it) {
     Column& column = it->second;

@@ -22,11 +22,22 @@ bool LooksLikeJson(const std::string& path, std::string_view text) {
   return extension == ".json" || (braces && extension != ".yaml" && extension != ".yml");
 }
 
+/// A name that only maps have: ROS map YAML files cannot be told by theirs.
+bool IsMapName(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension == ".map" || extension == ".pgm" || extension == ".png" || extension == ".geojson";
+}
+
 }  // namespace
 
 Expected<Scene> ReadSceneFile(const std::string& path, const SceneOptions& options) {
   if (!(options.simplify >= 0) || !std::isfinite(options.simplify)) {
     return InvalidInput("must be a length in metres, 0 or more", "--simplify");
+  }
+  if (IsMapName(path)) {
+    return InvalidInput("this is a map, not a scene; write a scene file that names it, a ROS map by its YAML: "
+                        "`world: {map: FILE}`",
+                        path);
   }
   const auto text = ReadTextFile(path, kMaxDocumentBytes);
   if (!text) return tl::unexpected<Error>(text.error());

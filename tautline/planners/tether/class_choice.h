@@ -23,8 +23,9 @@ struct ClassChoice {
 };
 
 /// The shortest path from the end of `laid` (the cable, walked from the base) to the goal of `field` such that the taut
-/// tether at the goal is no longer than max_tether. Requires that the laid cable, pulled taut, fits. Exact. The number
-/// of labels is bounded by the Pareto-optimal (path, tether) pairs per directed edge of the visibility graph.
+/// tether at the goal is no longer than max_tether. Requires that the laid cable, pulled taut, fits. Exact. Labels
+/// that have merged with their tether number at most the Pareto-optimal (path, tether) pairs per directed edge of the
+/// visibility graph; those that have not see the laid cable across open ground, which bounds their number as well.
 ClassChoice ChooseClass(const TautSpace& space, const Walk& laid, const GoalField& field,
                         const ClassChoiceOptions& options);
 

@@ -38,14 +38,12 @@ std::string ToString(PlanObstruction obstruction) {
   return "";
 }
 
-std::string ExplainGoalBlocked(const TautSpace& space, Point goal) {
-  return "the goal " + At(goal) + " lies " + InsideObstacle(space);
+std::string ExplainBlocked(const TautSpace& space, const std::string& what, Point at) {
+  return what + " " + At(at) + " lies " + InsideObstacle(space);
 }
 
 std::string ExplainLaidCable(const TautSpace& space, PlanObstruction obstruction, Point at) {
-  if (obstruction == PlanObstruction::kStartBlocked) {
-    return "the robot at " + At(at) + " stands " + InsideObstacle(space);
-  }
+  if (obstruction == PlanObstruction::kStartBlocked) return ExplainBlocked(space, "the robot", at);
   return "the cable as laid leaves the free ground at " + At(at) + ": that place is " + InsideObstacle(space);
 }
 
@@ -63,7 +61,8 @@ std::string ExplainTooShort(const TautSpace& space, const TautPath& shortest, do
 }
 
 std::string ExplainBudget(std::int64_t budget) {
-  return "the search stopped after its budget of " + std::to_string(budget) + " steps without an answer";
+  return "the search stopped after its budget of " + std::to_string(budget) + (budget == 1 ? " step" : " steps") +
+         " with the question still open";
 }
 
 }  // namespace tautline

@@ -10,7 +10,8 @@
 
 namespace tautline {
 
-std::string ExplainGoalBlocked(const TautSpace& space, Point goal);
+/// "the goal (1, 2) lies inside ..."; `what` is "the goal".
+std::string ExplainBlocked(const TautSpace& space, const std::string& what, Point at);
 std::string ExplainLaidCable(const TautSpace& space, PlanObstruction obstruction, Point at);
 std::string ExplainUnreachable(Point goal);
 std::string ExplainLaidTooLong(double taut_length, double limit);

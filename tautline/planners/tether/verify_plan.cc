@@ -124,7 +124,7 @@ class Verifier {
 
   void CheckCurve(const TautPath& path, const std::string& name, bool has_stub) {
     ++verification_.curves;
-    for (const std::string& fault : CurveFaults(space_, path, has_stub)) Fault(name + " " + fault);
+    for (const std::string& fault : CurveFaults(space_, path, has_stub)) Fault(std::string(name).append(" ").append(fault));
   }
 
   bool Near(Point a, Point b) const { return Distance(a, b) <= 2 * planner_.space().tolerance(); }
@@ -216,8 +216,11 @@ std::vector<std::string> CurveFaults(const FreeSpace& space, const TautPath& pat
   const double tolerance = std::max(space.snap, 4 * space.grid);
   const std::size_t first = has_stub ? 1 : 0;
   for (std::size_t i = first; i + 1 < points.size(); ++i) {
-    if (points[i] == points[i + 1]) faults.emplace_back("repeats a point");
-    else if (!SegmentIsFree(space, points[i], points[i + 1], tolerance)) faults.emplace_back("leaves the free space");
+    if (points[i] == points[i + 1]) {
+      faults.emplace_back("repeats a point");
+    } else if (!SegmentIsFree(space, points[i], points[i + 1], tolerance)) {
+      faults.emplace_back("leaves the free space");
+    }
   }
   for (std::size_t i = first + 1; i + 1 < points.size(); ++i) {
     if (!BendsAroundObstacle(space, points[i - 1], points[i], points[i + 1])) {
