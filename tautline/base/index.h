@@ -1,4 +1,4 @@
-// Index types that cannot be mixed up: a VertexId is not a TriangleId.
+// Index types that cannot be mixed up: Index<struct VertexTag> is not Index<struct TriangleTag>.
 #ifndef TAUTLINE_BASE_INDEX_H_
 #define TAUTLINE_BASE_INDEX_H_
 
@@ -26,12 +26,6 @@ class Index {
  private:
   std::int32_t value_ = -1;
 };
-
-using VertexId = Index<struct VertexTag>;      ///< A vertex of a triangulation.
-using TriangleId = Index<struct TriangleTag>;  ///< A triangle of a triangulation.
-using CornerId = Index<struct CornerTag>;      ///< A reflex corner of the free space: a vertex with one free sector.
-using EdgeId = Index<struct EdgeTag>;          ///< A directed edge of the reduced visibility graph.
-using ObstacleId = Index<struct ObstacleTag>;  ///< An obstacle of a free space, that is, a letter of its words.
 
 }  // namespace tautline
 

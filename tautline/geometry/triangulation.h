@@ -13,6 +13,9 @@
 
 namespace tautline {
 
+using VertexId = Index<struct VertexTag>;      ///< A vertex of a triangulation.
+using TriangleId = Index<struct TriangleTag>;  ///< A triangle of a triangulation.
+
 /// Vertices run counter-clockwise; `neighbours[i]` lies across the edge opposite to `vertices[i]`, that is, from
 /// vertices[i+1] to vertices[i+2]; it is invalid on the frame only.
 struct Triangle {

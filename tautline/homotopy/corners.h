@@ -10,6 +10,8 @@
 
 namespace tautline {
 
+using CornerId = Index<struct CornerTag>;  ///< A corner, by position.
+
 /// Which side of a directed line the obstacle at a corner lies on, when the line is tangent there.
 enum class Side : std::uint8_t { kNone, kLeft, kRight };
 

@@ -10,6 +10,8 @@
 
 namespace tautline {
 
+using EdgeId = Index<struct EdgeTag>;  ///< A directed edge of the reduced visibility graph.
+
 /// A directed bitangent between two corners.
 struct TautEdge {
   CornerId from;

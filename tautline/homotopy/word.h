@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tautline/base/error.h"
-#include "tautline/base/index.h"
+#include "tautline/scene/obstacle_id.h"
 
 namespace tautline {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tautline/base/error.h"
-#include "tautline/base/index.h"
 #include "tautline/geometry/polygon.h"
+#include "tautline/scene/obstacle_id.h"
 #include "tautline/scene/scene.h"
 
 namespace tautline {
@@ -72,7 +72,7 @@ struct FreeSpace {
   const std::string& name(ObstacleId id) const { return islands[id.index()].name; }
 };
 
-/// Builds the free space of a world. Errors: no area left inside the outline, a limit exceeded. O(n log n) for n
+/// Builds the free space of a world. Errors: no outline, or no area left inside it. O(n log n) for n
 /// vertices with few overlaps. All vertices are rounded to a grid of about 1e-12 of the extent [Hobby1999].
 /// Growth is never too small, and at most arc_error * clearance too large, beyond that grid.
 [[nodiscard]] Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& options = {});
