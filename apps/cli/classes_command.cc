@@ -92,7 +92,7 @@ Expected<Found> Find(const TetherPlanner& planner, const Question& question) {
     return Found{{}, "goal_unreachable", ExplainUnreachable(question.to)};
   }
   if (question.word) return FindWord(planner, *socket, *goal, question);
-  Found found{planner.TethersTo(*socket, *goal, question.options), "", ""};
+  Found found{planner.TethersTo(*socket, Walk(socket->exit), *goal, question.options), "", ""};
   if (found.list.budget_exceeded) found.explanation = ExplainBudget(question.options.budget);
   return found;
 }

@@ -132,16 +132,21 @@ bool ClassOracle::Run(const Search& search, const std::function<bool(const State
 }
 
 std::optional<std::vector<OracleClass>> ClassOracle::Classes(Point from, Point to, double max_length) {
-  const std::vector<std::size_t> targets = sight_.NodesAt(to);
+  return ClassesBetween(sight_.NodesAt(from), sight_.NodesAt(to), max_length);
+}
+
+std::optional<std::vector<OracleClass>> ClassOracle::ClassesBetween(std::span<const std::size_t> from,
+                                                                    std::span<const std::size_t> to,
+                                                                    double max_length) {
   std::map<int, double> shortest;
   const auto visit = [&](const State& state) {
-    if (std::find(targets.begin(), targets.end(), state.node) == targets.end()) return true;
+    if (std::find(to.begin(), to.end(), state.node) == to.end()) return true;
     const auto [found, is_new] = shortest.try_emplace(state.word, state.length);
     if (!is_new) found->second = std::min(found->second, state.length);
     return true;
   };
   const Search search{
-      .start = sight_.NodesAt(from), .word = 0, .remaining = DistancesTo(targets), .limit = max_length, .allowed = {}};
+      .start = {from.begin(), from.end()}, .word = 0, .remaining = DistancesTo(to), .limit = max_length, .allowed = {}};
   if (!Run(search, visit)) return std::nullopt;
   std::vector<OracleClass> classes;
   for (const auto& [word, length] : shortest) classes.push_back({length, words_.ToWord(word)});

@@ -83,6 +83,10 @@ class ClassOracle {
   /// when there are too many.
   std::optional<std::vector<OracleClass>> Classes(Point from, Point to, double max_length);
 
+  /// The same from one of the nodes to one of the others.
+  std::optional<std::vector<OracleClass>> ClassesBetween(std::span<const std::size_t> from,
+                                                         std::span<const std::size_t> to, double max_length);
+
   /// The length of the shortest path in the class `word` from one node to another; infinite when that is longer than
   /// at_most or not found within kMaxStates.
   double LengthOf(std::size_t from, std::size_t to, int word, double at_most);

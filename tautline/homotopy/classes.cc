@@ -29,10 +29,10 @@ struct Candidate {
   friend bool operator>(const Candidate& a, const Candidate& b) { return a.total > b.total; }
 };
 
-/// The sectors into which a path may go on: all of them from a walk that has not begun.
+/// The sectors into which a path may go on.
 std::vector<Place> StartSectors(const FreeMesh& mesh, const Walk& start) {
   const Place here{start.at, start.sleeve.back()};
-  return start.sleeve.size() == 1 && start.from == start.at ? mesh.Sectors(here) : std::vector<Place>{here};
+  return start.is_free_to_turn() ? mesh.Sectors(here) : std::vector<Place>{here};
 }
 
 class ClassSearch {

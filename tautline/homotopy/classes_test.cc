@@ -174,6 +174,34 @@ TEST_P(ClassesRandom, AreThoseOfTheOracle) {
   });
 }
 
+TEST(FindClasses, LeavesAndArrivesThroughEverySectorOfATouchingPoint) {
+  constexpr double kMaxLength = 8.123;
+  for (std::int64_t seed = 0; seed < ScaledTestCount(300); ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(static_cast<std::uint64_t>(seed));
+    const RandomScene scene = MakeRandomScene(rng, true);
+    const Point from = RandomTouchingPoint(rng, scene), to = RandomTouchingPoint(rng, scene);
+    ClassOracle oracle(scene.rings, scene.representatives, std::vector{from, to});
+    std::vector<double> expected;
+    bool all = true;
+    for (const std::size_t a : oracle.sight().NodesAt(from)) {
+      for (const std::size_t b : oracle.sight().NodesAt(to)) {
+        const auto classes = oracle.ClassesBetween(std::vector{a}, std::vector{b}, kMaxLength);
+        all = all && classes;
+        if (!classes) break;
+        for (const OracleClass& c : *classes) expected.push_back(c.length);
+      }
+    }
+    if (!all) continue;
+    std::sort(expected.begin(), expected.end());
+    // Staying at the point is one class, not one for each sector.
+    if (from == to) expected.erase(expected.begin() + 1, std::upper_bound(expected.begin(), expected.end(), 0.0));
+    const auto found = LengthsOf(FindClasses(TautSpace(scene.space), from, to, UpTo(kMaxLength)));
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) ASSERT_NEAR(found[i], expected[i], 1e-8);
+  }
+}
+
 TEST_P(ClassesRandom, ComeShortestFirst) {
   ForEachQuestion(200, [](const Question& question, Rng& rng) {
     const TautSpace space(question.scene.space);

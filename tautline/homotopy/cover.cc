@@ -75,7 +75,7 @@ class StraightWalk {
 
   /// A walk that begins on a vertex where blocked ground touches may leave through any sector.
   bool StartInOtherSector(int i) {
-    if (walk_.sleeve.size() > 1 || walk_.from != pivot_) return false;
+    if (!walk_.is_free_to_turn() || pivot_ != walk_.from) return false;
     bool found = false;
     mesh_.ForEachFreeAround(mesh_.triangle(at_).vertex(i), [&](TriangleId id, int k) {
       if (found || !Ahead(id, k)) return;

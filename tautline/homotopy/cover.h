@@ -48,10 +48,14 @@ struct Walk {
   Point from;     ///< Where the walk began, in the first triangle of the sleeve.
   Point at;       ///< Where the walk stands, in the last triangle of the sleeve.
   Sleeve sleeve;
+  bool rooted = false;  ///< On a vertex with several free sectors, it must leave by that of its first triangle.
+
+  /// Whether it may still leave its first point by any sector.
+  bool is_free_to_turn() const { return !rooted && sleeve.size() == 1 && from == at; }
 };
 
 /// Walks along the straight segment from walk.at to `to`, which may graze boundaries and pass along them. Exact.
-/// A walk that has not left its first point may start in any sector there. Nothing when it arrived; otherwise the place where the segment leaves the free space, and the walk stands in the
+/// A walk that has not left its first point, and is not rooted, may start in any sector there. Nothing when it arrived; otherwise the place where the segment leaves the free space, and the walk stands in the
 /// last free triangle before it. O(triangles crossed).
 std::optional<Point> WalkStraight(const FreeMesh& mesh, Point to, Walk& walk);
 

@@ -18,8 +18,8 @@ class PlanSearch {
   PlanSearch(ClassOracle& oracle, const OracleQuery& query)
       : oracle_(oracle),
         query_(query),
-        base_(oracle.sight().NodesAt(query.laid.front())),
-        robot_(oracle.sight().NodesAt(query.laid.back())),
+        base_(query.base_nodes.empty() ? oracle.sight().NodesAt(query.laid.front()) : query.base_nodes),
+        robot_(query.robot_nodes.empty() ? oracle.sight().NodesAt(query.laid.back()) : query.robot_nodes),
         goal_(oracle.sight().NodesAt(query.goal)),
         remaining_(oracle.DistancesTo(goal_)),
         laid_word_(oracle.AppendPolyline(0, query.laid)) {}

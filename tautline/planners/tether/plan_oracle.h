@@ -3,7 +3,7 @@
 #define TAUTLINE_PLANNERS_TETHER_PLAN_ORACLE_H_
 
 #include <optional>
-#include <span>
+#include <vector>
 
 #include "tautline/homotopy/class_oracle.h"
 
@@ -13,6 +13,8 @@ struct OracleQuery {
   Polyline laid;  ///< Base first, robot last; base, robot and goal are points of the oracle.
   Point goal;
   double limit = 0;  ///< The tether's length, metres.
+  /// Where the cable starts and ends; empty: in any sector of the point.
+  std::vector<std::size_t> base_nodes, robot_nodes;
 };
 
 /// What the oracle found; lengths are infinite where there is no motion.

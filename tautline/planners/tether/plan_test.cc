@@ -237,6 +237,50 @@ TEST_P(PlanRandom, ListsAllTethersThatFit) {
   });
 }
 
+/// A question on a lattice whose base, robot and goal often stand where blocked ground touches.
+std::optional<RandomTether> RandomTouchingTether(Rng& rng) {
+  RandomScene ground = MakeRandomScene(rng, true);
+  const Point base = RandomTouchingPoint(rng, ground), robot = RandomTouchingPoint(rng, ground);
+  const Point goal = RandomTouchingPoint(rng, ground);
+  ClassOracle oracle(ground.rings, ground.representatives, std::vector{base, robot, goal});
+  const auto any_node = [&](Point p) {
+    const auto nodes = oracle.sight().NodesAt(p);
+    return nodes[static_cast<std::size_t>(rng.UniformInt(0, static_cast<int>(nodes.size()) - 1))];
+  };
+  const std::size_t from = any_node(base), to = any_node(robot);
+  const auto laid = RandomWalk(rng, oracle, from, to);
+  if (!laid) return std::nullopt;
+  OracleQuery query{*laid, goal, Length(*laid) * rng.Uniform(0.6, 1.1) + rng.Uniform(0, 3), {from}, {to}};
+  if (from == to && oracle.AppendPolyline(0, *laid) == 0) {
+    // Without a cable the robot may leave through any sector; a cable that was undone is nobody's question.
+    if (laid->size() > 1) return std::nullopt;
+    query.base_nodes = query.robot_nodes = {};
+  }
+  return RandomTether{std::move(ground), std::move(oracle), std::move(query)};
+}
+
+TEST(Plan, KeepsToItsSectorWhereObstaclesTouch) {
+  for (std::int64_t seed = 0; seed < ScaledTestCount(500); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(static_cast<std::uint64_t>(seed));
+    auto question = RandomTouchingTether(rng);
+    if (!question) continue;
+    const OracleMotion expected = OraclePlan(question->oracle, question->query);
+    if (expected.too_many_states) continue;
+    ExpectLength(expected.checked, expected.unchecked);
+    const Scene scene = question->scene();
+    const auto planner = TetherPlanner::Prepare(scene.world).value();
+    const PlanResult result = planner.Plan(*scene.tether, *scene.goal, {.all = true});
+    ExpectLength(LengthOf(result.motion), expected.checked);
+    if (result.motion) {
+      ExpectLength(result.all.at(0).path.length, expected.checked);
+    }
+    const Verification verification = VerifyPlan(planner, *scene.tether, *scene.goal, result);
+    EXPECT_TRUE(verification.ok()) << verification.faults[0];
+    if (HasFatalFailure()) return;
+  }
+}
+
 /// The points of `path` up to a fraction of its length.
 Polyline UpTo(const TautPath& path, double fraction) {
   Polyline points{path.points[0]};

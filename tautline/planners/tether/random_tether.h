@@ -65,7 +65,7 @@ inline RandomTether MakeRandomTether(Rng& rng, bool lattice) {
     const auto walk = RandomWalk(rng, oracle, node(points[0]), node(points[1]));
     if (!walk) continue;
     const auto limit = RandomLimit(rng, oracle, *walk, points[2]);
-    if (limit) return {std::move(ground), std::move(oracle), {*walk, points[2], *limit}};
+    if (limit) return {std::move(ground), std::move(oracle), {*walk, points[2], *limit, {}, {}}};
   }
 }
 

@@ -79,10 +79,11 @@ Motion TetherPlanner::MotionAlong(const LaidCable& laid, const Polyline& path) c
   return motion;
 }
 
-ClassList TetherPlanner::TethersTo(const Socket& socket, Place goal, const ClassOptions& options) const {
+ClassList TetherPlanner::TethersTo(const Socket& socket, const Walk& root, Place goal,
+                                   const ClassOptions& options) const {
   ClassOptions from_exit = options;
   if (options.max_length) from_exit.max_length = *options.max_length - socket.stub_length;
-  ClassList list = FindClasses(*space_, socket.exit.point, goal.point, from_exit);
+  ClassList list = FindClassesOnward(*space_, root, goal, from_exit);
   if (socket.stub_length == 0) return list;
   for (TautPath& tether : list.classes) {
     tether.points.insert(tether.points.begin(), socket.base);
@@ -93,7 +94,7 @@ ClassList TetherPlanner::TethersTo(const Socket& socket, Place goal, const Class
 
 void TetherPlanner::ListAll(const LaidCable& laid, Place goal, const PlanOptions& options, PlanResult& result) const {
   const ClassList tethers =
-      TethersTo(laid.socket, goal, {.max_length = result.limit, .max_count = {}, .budget = options.budget});
+      TethersTo(laid.socket, laid.Root(), goal, {.max_length = result.limit, .max_count = {}, .budget = options.budget});
   const Polyline cable = Points(PullTaut(space_->mesh(), laid.walk));
   const Polyline back(cable.rbegin(), cable.rend());
   for (const TautPath& tether : tethers.classes) {
@@ -151,7 +152,7 @@ PlanResult TetherPlanner::Plan(const Tether& tether, Point goal, const PlanOptio
     std::string why = ExplainLaidTooLong(result.start.length, tether.length);
     return Infeasible(std::move(result), PlanObstruction::kLaidCableTooLong, std::move(why));
   }
-  const ClassList nearest = TethersTo(laid->socket, *place, {.max_length = {}, .max_count = 1});
+  const ClassList nearest = TethersTo(laid->socket, laid->Root(), *place, {.max_length = {}, .max_count = 1});
   if (nearest.classes.at(0).length > limit) {
     result.shortest_tether = nearest.classes[0];
     std::string why = ExplainTooShort(*space_, *result.shortest_tether, tether.length);

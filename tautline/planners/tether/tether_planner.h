@@ -24,6 +24,13 @@ struct LaidCable {
 
   /// Where the robot stands, or, in the socket, where it comes out.
   Place robot() const { return {walk.at, walk.sleeve.back()}; }
+
+  /// The start of any tether that can take this one's place: it leaves the exit by the sector that this one left by.
+  Walk Root() const {
+    Walk root(Place{walk.from, walk.sleeve.front()});
+    root.rooted = !walk.is_free_to_turn();
+    return root;
+  }
 };
 
 /// Why a cable cannot lie as it is said to; `at` is the place.
@@ -47,9 +54,9 @@ class TetherPlanner {
   /// A walk's taut curve from the base on: the stub of the socket, then the walk pulled taut.
   TautPath TetherAlong(const Socket& socket, const Walk& walk) const;
 
-  /// Every class in which a tether can lie from the socket to the goal, shortest first; see FindClasses. Lengths and
-  /// limits include the stub.
-  ClassList TethersTo(const Socket& socket, Place goal, const ClassOptions& options) const;
+  /// Every class in which a tether can lie from the socket to the goal, shortest first; see FindClasses. `root` stands
+  /// at the socket's exit. Lengths and limits include the stub.
+  ClassList TethersTo(const Socket& socket, const Walk& root, Place goal, const ClassOptions& options) const;
 
   const TautSpace& space() const { return *space_; }
   /// The free mesh without clearance: what a socket's stub may cross.
