@@ -118,8 +118,10 @@ std::string ToText(const Found& found, const Question& question, const FreeSpace
   const std::size_t count = found.list.classes.size();
   std::string text = Counted(count, "class", "classes");
   if (question.word) text += fmt::format(" of the word '{}'", *question.word);
-  if (question.options.max_length && !question.word) text += fmt::format(" up to {}", Metres(*question.options.max_length));
-  if (!found.list.complete) text += found.list.budget_exceeded ? ", more exist: the budget ran out" : ", longer ones exist";
+  if (question.options.max_length && !question.word)
+    text += fmt::format(" up to {}", Metres(*question.options.max_length));
+  if (!found.list.complete)
+    text += found.list.budget_exceeded ? ", more exist: the budget ran out" : ", longer ones exist";
   text += count == 0 ? ".\n" : ":\n";
   for (std::size_t i = 0; i < count; ++i) {
     const TautPath& path = found.list.classes[i];
@@ -174,10 +176,10 @@ Run AddClasses(CLI::App& app) {
   AddCommonOptions(*sub, command->common);
   sub->add_option("--from", command->from, "where the paths start; default: the tether's base")->type_name("X,Y");
   sub->add_option("--to", command->to, "where they end; default: the goal")->type_name("X,Y");
-  CLI::Option* max_length =
-      sub->add_option("--max-length", command->options.max_length, "only classes no longer than this; default: the tether")
-      ->type_name("METRES")
-      ->check(CLI::NonNegativeNumber);
+  CLI::Option* max_length = sub->add_option("--max-length", command->options.max_length,
+                                            "only classes no longer than this; default: the tether")
+                                ->type_name("METRES")
+                                ->check(CLI::NonNegativeNumber);
   CLI::Option* count = sub->add_option("--count", command->options.max_count, "only so many, the shortest");
   count->check(CLI::PositiveNumber);
   sub->add_option("--word", command->word, "only the class of this ray word, such as \"a b^-1\"")

@@ -37,8 +37,8 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options);
 /// What a command found, in the forms in which it can be handed out.
 struct Answer {
   const nlohmann::ordered_json& json;
-  std::string text;                    ///< For people, with the final newline.
-  std::function<std::string()> draw;   ///< The picture as SVG; called only where one is asked for.
+  std::string text;                   ///< For people, with the final newline.
+  std::function<std::string()> draw;  ///< The picture as SVG; called only where one is asked for.
   int status = 0;
 };
 

@@ -6,9 +6,9 @@ namespace tautline::cli {
 
 enum ExitStatus : int {
   kExitSolved = 0,
-  kExitFault = 1,        ///< A fault of tautline's own.
-  kExitBadInput = 2,     ///< The input or the call is wrong, or its output cannot be written.
-  kExitInfeasible = 3,   ///< Well posed, and without a solution.
+  kExitFault = 1,       ///< A fault of tautline's own.
+  kExitBadInput = 2,    ///< The input or the call is wrong, or its output cannot be written.
+  kExitInfeasible = 3,  ///< Well posed, and without a solution.
   kExitInterrupted = 130,
 };
 

@@ -24,9 +24,12 @@ struct PlanCommand {
 
 std::string StatusText(PlanStatus status) {
   switch (status) {
-    case PlanStatus::kSolved: return "solved";
-    case PlanStatus::kInfeasible: return "infeasible";
-    case PlanStatus::kBudgetExceeded: return "budget_exceeded";
+    case PlanStatus::kSolved:
+      return "solved";
+    case PlanStatus::kInfeasible:
+      return "infeasible";
+    case PlanStatus::kBudgetExceeded:
+      return "budget_exceeded";
   }
   return "";
 }
@@ -98,7 +101,8 @@ std::string ToText(const PlanResult& result, const FreeSpace& space) {
     text += fmt::format("  tether   at the goal {} of {} are needed, class {}\n", Metres(motion.tether.length),
                         Metres(result.limit), Describe(motion.tether.word, names));
   } else {
-    text += fmt::format("{}: {}.\n", result.status == PlanStatus::kInfeasible ? "No motion" : "Stopped", result.explanation);
+    text += fmt::format("{}: {}.\n", result.status == PlanStatus::kInfeasible ? "No motion" : "Stopped",
+                        result.explanation);
   }
   if (!result.start.points.empty()) {
     text += fmt::format("  start    the cable as laid, pulled taut: {}, class {}\n", Metres(result.start.length),
@@ -112,10 +116,12 @@ std::string ToText(const PlanResult& result, const FreeSpace& space) {
     const Motion& shorter = *result.rejected;
     const std::string enclosed = EnclosedBetween(result, names);
     text += fmt::format(
-        "  rejected the shortest way, {}, would need {} of tether, {} more than there is: it leaves the tether wound{}, "
+        "  rejected the shortest way, {}, would need {} of tether, {} more than there is: it leaves the tether "
+        "wound{}, "
         "class {}\n",
         Metres(shorter.path.length), Metres(shorter.tether.length), Metres(shorter.tether.length - result.limit),
-        enclosed.empty() ? " the wrong way" : " the wrong way around " + enclosed, Describe(shorter.tether.word, names));
+        enclosed.empty() ? " the wrong way" : " the wrong way around " + enclosed,
+        Describe(shorter.tether.word, names));
   }
   DescribeAll(result, names, text);
   return text;

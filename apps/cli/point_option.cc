@@ -11,8 +11,8 @@ Expected<Point> ParsePoint(const std::string& text, const std::string& option) {
   Point p;
   char comma = 0;
   if (stream >> p.x >> comma >> p.y && comma == ',' && stream.eof() && IsFinite(p)) return p;
-  return InvalidInput("'" + text + "' is not a point; give two numbers with a comma between, such as " + option + " 2,3.5",
-                      option);
+  return InvalidInput(
+      "'" + text + "' is not a point; give two numbers with a comma between, such as " + option + " 2,3.5", option);
 }
 
 }  // namespace tautline::cli

@@ -87,7 +87,8 @@ Json ToJson(const Scene& scene, const FreeSpace& space) {
 template <class Entries, class ToLine>
 void AddLines(const Entries& entries, ToLine to_line, std::string& text) {
   for (std::size_t i = 0; i < entries.size() && i < kMostLines; ++i) text += "  " + to_line(entries[i]) + "\n";
-  if (entries.size() > kMostLines) text += fmt::format("  ... and {} more (--json lists all)\n", entries.size() - kMostLines);
+  if (entries.size() > kMostLines)
+    text += fmt::format("  ... and {} more (--json lists all)\n", entries.size() - kMostLines);
 }
 
 std::string MapText(const MapSource& map) {
@@ -108,23 +109,36 @@ std::string ToText(const Scene& scene, const FreeSpace& space) {
   text += fmt::format("world      {} x {}, clearance {}, free ground {:.6g} m2\n", Metres(size.x), Metres(size.y),
                       Metres(space.clearance), FreeArea(space));
   text += fmt::format("components {}\n", space.components.size());
-  AddLines(space.components, [](const FreeComponent& component) {
-    return fmt::format("{:.6g} m2, {} holes, {} vertices", component.area, component.holes.size(), VertexCount(component));
-  }, text);
+  AddLines(
+      space.components,
+      [](const FreeComponent& component) {
+        return fmt::format("{:.6g} m2, {} holes, {} vertices", component.area, component.holes.size(),
+                           VertexCount(component));
+      },
+      text);
   text += fmt::format("obstacles  {}\n", space.islands.size());
-  AddLines(space.islands, [](const Island& island) {
-    return fmt::format("{}: {:.6g} m2, ray from ({:.6g}, {:.6g})", island.name, island.area, island.representative.x,
-                       island.representative.y);
-  }, text);
+  AddLines(
+      space.islands,
+      [](const Island& island) {
+        return fmt::format("{}: {:.6g} m2, ray from ({:.6g}, {:.6g})", island.name, island.area,
+                           island.representative.x, island.representative.y);
+      },
+      text);
   text += fmt::format("merges     {}\n", space.merges.size());
-  AddLines(space.merges, [](const Merge& merge) {
-    return fmt::format("{} -> {}", fmt::join(merge.members, " + "), merge.with_wall ? "wall" : merge.members[0]);
-  }, text);
+  AddLines(
+      space.merges,
+      [](const Merge& merge) {
+        return fmt::format("{} -> {}", fmt::join(merge.members, " + "), merge.with_wall ? "wall" : merge.members[0]);
+      },
+      text);
   text += fmt::format("snaps      {}\n", space.snaps.size());
-  AddLines(space.snaps, [](const Snap& snap) {
-    return fmt::format("{} at ({:.6g}, {:.6g}) moved {:.3g} m onto {}", snap.obstacle, snap.from.x, snap.from.y,
-                       Distance(snap.from, snap.to), snap.onto);
-  }, text);
+  AddLines(
+      space.snaps,
+      [](const Snap& snap) {
+        return fmt::format("{} at ({:.6g}, {:.6g}) moved {:.3g} m onto {}", snap.obstacle, snap.from.x, snap.from.y,
+                           Distance(snap.from, snap.to), snap.onto);
+      },
+      text);
   return text;
 }
 
@@ -142,7 +156,8 @@ Expected<int> RunShow(const CommonOptions& options) {
 
 Run AddShow(CLI::App& app) {
   const auto options = std::make_shared<CommonOptions>();
-  CLI::App* sub = app.add_subcommand("show", "what was understood of a scene: areas, obstacles, merges, snaps, components");
+  CLI::App* sub =
+      app.add_subcommand("show", "what was understood of a scene: areas, obstacles, merges, snaps, components");
   AddCommonOptions(*sub, *options);
   sub->footer("Example:\n  tautline show scenes/two_ways.yaml --svg scene.svg\nExit status: 0 shown, 2 bad input.");
   return [options] { return RunShow(*options); };

@@ -14,11 +14,11 @@ namespace tautline::internal {
 }  // namespace tautline::internal
 
 /// Throws std::logic_error unless `condition` holds. For invariants, never for input.
-#define TAUTLINE_CHECK(condition)                                              \
-  do {                                                                         \
-    if (!(condition)) {                                                        \
-      ::tautline::internal::CheckFailed(#condition, __FILE__, __LINE__);       \
-    }                                                                          \
+#define TAUTLINE_CHECK(condition)                                        \
+  do {                                                                   \
+    if (!(condition)) {                                                  \
+      ::tautline::internal::CheckFailed(#condition, __FILE__, __LINE__); \
+    }                                                                    \
   } while (false)
 
 #endif  // TAUTLINE_BASE_CHECK_H_

@@ -11,7 +11,9 @@ namespace tautline {
 /// Sets that only ever merge. Path halving; near-constant time per call.
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  explicit DisjointSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
 
   std::size_t Find(std::size_t item) {
     while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];

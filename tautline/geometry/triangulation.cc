@@ -58,8 +58,8 @@ TriangleId Triangulation::Locate(Point p) const {
   };
   const int column = clamp((p.x - inner_low_.x) / cell_, columns_);
   const int row = clamp((p.y - inner_low_.y) / cell_, rows_);
-  return WalkTo(p, start_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                          static_cast<std::size_t>(column)]);
+  return WalkTo(
+      p, start_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)]);
 }
 
 void Triangulation::BuildLocator() {
@@ -74,8 +74,8 @@ void Triangulation::BuildLocator() {
   const Point size = high - low;
   const double cells = std::max(1.0, static_cast<double>(triangles_.size()) / kTrianglesPerCell);
   const double longest = std::max({size.x, size.y, 1e-300});
-  cell_ = std::max(std::sqrt(std::max(size.x, 1e-6 * longest) * std::max(size.y, 1e-6 * longest) / cells),
-                   longest / 10000);
+  cell_ =
+      std::max(std::sqrt(std::max(size.x, 1e-6 * longest) * std::max(size.y, 1e-6 * longest) / cells), longest / 10000);
   columns_ = static_cast<int>(size.x / cell_) + 1;
   rows_ = static_cast<int>(size.y / cell_) + 1;
   start_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));

@@ -65,7 +65,9 @@ class Triangulation {
   /// A triangle whose closed region contains p. Requires p inside the frame. Exact. O(1) expected.
   TriangleId Locate(Point p) const;
 
-  bool InFrame(Point p) const { return frame_low_.x < p.x && p.x < frame_high_.x && frame_low_.y < p.y && p.y < frame_high_.y; }
+  bool InFrame(Point p) const {
+    return frame_low_.x < p.x && p.x < frame_high_.x && frame_low_.y < p.y && p.y < frame_high_.y;
+  }
 
  private:
   friend class TriangulationBuilder;

@@ -111,9 +111,10 @@ TEST(Triangulation, LocatesRandomPoints) {
     const Graph graph = RandomGraph(rng);
     const Triangulation mesh = Triangulation::Build(graph.points, graph.edges);
     for (int i = 0; i < 50; ++i) {
-      const Point p = i % 2 == 0 ? Point{rng.Uniform(-5, 15), rng.Uniform(-5, 15)}
-                                 : graph.points[static_cast<std::size_t>(
-                                       rng.UniformInt(0, static_cast<int>(graph.points.size()) - 1))];
+      const Point p =
+          i % 2 == 0
+              ? Point{rng.Uniform(-5, 15), rng.Uniform(-5, 15)}
+              : graph.points[static_cast<std::size_t>(rng.UniformInt(0, static_cast<int>(graph.points.size()) - 1))];
       if (!mesh.InFrame(p)) continue;
       const TriangleId id = mesh.Locate(p);
       for (int k = 0; k < 3; ++k) EXPECT_GE(Orientation(mesh.corner(id, k), mesh.corner(id, Next(k)), p), 0);

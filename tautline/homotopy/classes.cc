@@ -14,9 +14,9 @@ constexpr double kLengthTolerance = 1e-9;
 
 /// One taut walk from the start to the head of an edge or leg, as a link to the walk before it.
 struct Stem {
-  CornerId corner;        ///< Where it stands.
+  CornerId corner;  ///< Where it stands.
   Side head = Side::kNone;
-  double length = 0;      ///< From the start to the corner.
+  double length = 0;  ///< From the start to the corner.
   std::int64_t parent = -1;
 };
 
@@ -42,7 +42,8 @@ class ClassSearch {
         start_(start),
         from_(start.at),
         options_(options),
-        limit_(options.max_length ? *options.max_length * (1 + kLengthTolerance) : std::numeric_limits<double>::infinity()),
+        limit_(options.max_length ? *options.max_length * (1 + kLengthTolerance)
+                                  : std::numeric_limits<double>::infinity()),
         field_(space, to, limit_) {}
 
   ClassList Run() {

@@ -11,8 +11,7 @@ Side Corner::TangentFrom(Point from) const {
   return Side::kNone;
 }
 
-Corners::Corners(const FreeSpace& space, const FreeMesh& mesh)
-    : at_(3 * mesh.triangulation().triangles().size()) {
+Corners::Corners(const FreeSpace& space, const FreeMesh& mesh) : at_(3 * mesh.triangulation().triangles().size()) {
   // The mesh holds the rings' edges in this order; each edge starts at a ring vertex with its free sector on the left.
   std::size_t edge = 0;
   const auto add_ring = [&](const BoundaryRing& ring) {

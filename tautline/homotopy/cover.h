@@ -45,8 +45,8 @@ class Sleeve {
 struct Walk {
   explicit Walk(Place start) : from(start.point), at(start.point), sleeve(start.triangle) {}
 
-  Point from;     ///< Where the walk began, in the first triangle of the sleeve.
-  Point at;       ///< Where the walk stands, in the last triangle of the sleeve.
+  Point from;  ///< Where the walk began, in the first triangle of the sleeve.
+  Point at;    ///< Where the walk stands, in the last triangle of the sleeve.
   Sleeve sleeve;
   bool rooted = false;  ///< On a vertex with several free sectors, it must leave by that of its first triangle.
 
@@ -55,8 +55,9 @@ struct Walk {
 };
 
 /// Walks along the straight segment from walk.at to `to`, which may graze boundaries and pass along them. Exact.
-/// A walk that has not left its first point, and is not rooted, may start in any sector there. Nothing when it arrived; otherwise the place where the segment leaves the free space, and the walk stands in the
-/// last free triangle before it. O(triangles crossed).
+/// A walk that has not left its first point, and is not rooted, may start in any sector there. Nothing when it arrived;
+/// otherwise the place where the segment leaves the free space, and the walk stands in the last free triangle before
+/// it. O(triangles crossed).
 std::optional<Point> WalkStraight(const FreeMesh& mesh, Point to, Walk& walk);
 
 /// As WalkStraight, but a segment that cuts a corner by up to `tolerance` metres is led around it.

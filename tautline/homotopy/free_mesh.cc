@@ -108,8 +108,7 @@ std::optional<Place> FreeMesh::OnBoundaryOfBlocked(TriangleId id, Point p) const
   for (int i = 0; i < 3; ++i) {
     if (mesh_.corner(id, i) == p) {
       std::optional<Place> place;
-      ForEachFreeAround(mesh_.triangle(id).vertex(i),
-                        [&](TriangleId free, int) { place = Place{p, free}; });
+      ForEachFreeAround(mesh_.triangle(id).vertex(i), [&](TriangleId free, int) { place = Place{p, free}; });
       return place;
     }
     const TriangleId across = mesh_.triangle(id).neighbour(i);
@@ -144,8 +143,8 @@ std::optional<Place> FreeMesh::Locate(Point p, double tolerance) const {
   double least = tolerance;
   boundary_index_->ForEachNear({p - Point{tolerance, tolerance}, p + Point{tolerance, tolerance}}, [&](std::size_t k) {
     const BoundaryEdge& edge = boundary_[k];
-    const double distance =
-        DistanceToSegment(p, mesh_.corner(edge.triangle, Next(edge.index)), mesh_.corner(edge.triangle, Previous(edge.index)));
+    const double distance = DistanceToSegment(p, mesh_.corner(edge.triangle, Next(edge.index)),
+                                              mesh_.corner(edge.triangle, Previous(edge.index)));
     if (distance > least || (nearest && distance == least)) return;
     least = distance;
     nearest = k;
@@ -170,9 +169,8 @@ std::vector<Place> FreeMesh::Sectors(Place place) const {
 bool FreeMesh::Connected(Place a, Place b) const {
   const std::vector<Place> starts = Sectors(a), ends = Sectors(b);
   return std::any_of(starts.begin(), starts.end(), [&](Place start) {
-    return std::any_of(ends.begin(), ends.end(), [&](Place end) {
-      return ComponentOf(start.triangle) == ComponentOf(end.triangle);
-    });
+    return std::any_of(ends.begin(), ends.end(),
+                       [&](Place end) { return ComponentOf(start.triangle) == ComponentOf(end.triangle); });
   });
 }
 

@@ -20,10 +20,7 @@ std::vector<TautLeg> LegsFrom(const TautSpace& space, Place place) {
 }
 
 GoalField::GoalField(const TautSpace& space, Place goal, double limit)
-    : space_(&space),
-      goal_(goal),
-      beyond_(space.graph().edges().size(), kInfinity),
-      leg_(space.corners().size()) {
+    : space_(&space), goal_(goal), beyond_(space.graph().edges().size(), kInfinity), leg_(space.corners().size()) {
   const VisibilityGraph& graph = space.graph();
   const auto point = [&space](CornerId id) { return space.corners()[id].point; };
   using Entry = std::pair<double, EdgeId>;

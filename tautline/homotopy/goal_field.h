@@ -22,7 +22,8 @@ std::vector<TautLeg> LegsFrom(const TautSpace& space, Place place);
 /// Exact taut distances to one goal.
 class GoalField {
  public:
-  /// One Dijkstra over the directed edges, backwards from the goal, which may be reached through any sector. `limit`: distances beyond it are infinite.
+  /// One Dijkstra over the directed edges, backwards from the goal, which may be reached through any sector. `limit`:
+  /// distances beyond it are infinite.
   GoalField(const TautSpace& space, Place goal, double limit);
 
   Place goal() const { return goal_; }

@@ -18,7 +18,8 @@ namespace tautline {
 
 /// Where a polyline leaves the free space.
 struct Departure {
-  std::size_t segment = 0;  ///< The segment from point `segment` to the next; 0 as well when the first point is outside.
+  std::size_t segment =
+      0;  ///< The segment from point `segment` to the next; 0 as well when the first point is outside.
   Point at;
 };
 

@@ -21,8 +21,9 @@ VisibilityGraph::VisibilityGraph(const FreeMesh& mesh, const Corners& corners) :
   for (const TautEdge& edge : edges_) {
     // Sight is symmetric; seen from the other end, left and right change places. Sightings are sorted by corner, tail.
     const auto out = OutOf(edge.to);
-    const auto found = std::lower_bound(out.begin(), out.end(), std::tuple(edge.from, Opposite(edge.head)),
-                                        [](const TautEdge& e, const auto& key) { return std::tie(e.to, e.tail) < key; });
+    const auto found =
+        std::lower_bound(out.begin(), out.end(), std::tuple(edge.from, Opposite(edge.head)),
+                         [](const TautEdge& e, const auto& key) { return std::tie(e.to, e.tail) < key; });
     TAUTLINE_CHECK(found != out.end() && found->to == edge.from && found->tail == Opposite(edge.head));
     reverse_.emplace_back(static_cast<std::size_t>(&*found - edges_.data()));
   }

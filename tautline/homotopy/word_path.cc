@@ -24,7 +24,7 @@ struct WallSide {
 struct RingTour {
   std::vector<TriangleId> triangles;  ///< From the first side's triangle round to it again.
   std::vector<WallSide> sides;
-  std::vector<std::size_t> at;        ///< The place of each side's triangle in `triangles`.
+  std::vector<std::size_t> at;  ///< The place of each side's triangle in `triangles`.
 };
 
 RingTour TourFrom(const FreeMesh& mesh, WallSide first) {
@@ -171,8 +171,7 @@ std::optional<TautPath> FindWordPath(const TautSpace& space, Place from, Place t
   for (int i = 0; i < kMostTries; ++i) {
     const Point start = PointInside(space.mesh(), from, rng), end = PointInside(space.mesh(), to, rng);
     const Point first_leg[] = {from.point, start}, last_leg[] = {end, to.point};
-    const Word drawn =
-        space.rays().WordOf(first_leg).Inverse() * word * space.rays().WordOf(last_leg).Inverse();
+    const Word drawn = space.rays().WordOf(first_leg).Inverse() * word * space.rays().WordOf(last_leg).Inverse();
     Carrier carrier(space, from);
     if (!carrier.Carry(WordDrawing(space.free_space(), rng).Draw(start, drawn, end))) continue;
     TautPath path = space.Pull(carrier.Finish(to.point));

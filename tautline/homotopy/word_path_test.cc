@@ -21,10 +21,8 @@ TEST(FindWordPath, LeadsAroundTheNamedObstacles) {
                              "..a...b..",  //
                              "........."});
   const TautSpace space(SpaceOf(scene));
-  EXPECT_EQ(PathOf(space, scene['A'], scene['B'], "")->points,
-            (Polyline{scene['A'], {2, 1}, {7, 1}, scene['B']}));
-  EXPECT_EQ(PathOf(space, scene['A'], scene['B'], "a b")->points,
-            (Polyline{scene['A'], {2, 3}, {7, 3}, scene['B']}));
+  EXPECT_EQ(PathOf(space, scene['A'], scene['B'], "")->points, (Polyline{scene['A'], {2, 1}, {7, 1}, scene['B']}));
+  EXPECT_EQ(PathOf(space, scene['A'], scene['B'], "a b")->points, (Polyline{scene['A'], {2, 3}, {7, 3}, scene['B']}));
   EXPECT_EQ(PathOf(space, scene['A'], scene['B'], "a")->points,
             (Polyline{scene['A'], {2, 3}, {3, 3}, {6, 1}, {7, 1}, scene['B']}));
   EXPECT_EQ(PathOf(space, scene['A'], scene['A'], "a a")->word.size(), 2U);

@@ -172,7 +172,8 @@ bool Touches(const FreeComponent& component, Point p, double tolerance) {
 
 Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& options) {
   if (world.outline.size() < 3) {
-    return InvalidInput("the scene has no world; add `world: {outline: [[x, y], ...]}` or `world: {map: FILE}`", "world");
+    return InvalidInput("the scene has no world; add `world: {outline: [[x, y], ...]}` or `world: {map: FILE}`",
+                        "world");
   }
   FreeSpace space;
   space.box = BoundingBox(world.outline);

@@ -30,19 +30,19 @@ struct Obstacle {
 
 /// Where the world came from, when it was read from a map file.
 struct MapSource {
-  std::string path;                 ///< As given.
-  std::string kind;                 ///< "ros", "movingai", "geojson".
-  double resolution = 0;            ///< Metres per cell; 0 for GeoJSON.
-  int columns = 0;                  ///< Cells; 0 for GeoJSON.
-  int rows = 0;                     ///< Cells; 0 for GeoJSON.
-  Point origin;                     ///< ROS: pose of the lower left corner. GeoJSON: longitude and latitude of (0, 0).
-  double origin_yaw = 0;            ///< ROS, radians.
-  bool geographic = false;          ///< GeoJSON in longitude and latitude, projected to local metres.
+  std::string path;         ///< As given.
+  std::string kind;         ///< "ros", "movingai", "geojson".
+  double resolution = 0;    ///< Metres per cell; 0 for GeoJSON.
+  int columns = 0;          ///< Cells; 0 for GeoJSON.
+  int rows = 0;             ///< Cells; 0 for GeoJSON.
+  Point origin;             ///< ROS: pose of the lower left corner. GeoJSON: longitude and latitude of (0, 0).
+  double origin_yaw = 0;    ///< ROS, radians.
+  bool geographic = false;  ///< GeoJSON in longitude and latitude, projected to local metres.
   std::size_t free_cells = 0;
   std::size_t blocked_cells = 0;
-  std::size_t unknown_cells = 0;    ///< ROS: counted as blocked unless asked otherwise.
-  double simplify = 0;              ///< The tolerance of --simplify, metres; 0: exact cell boundaries.
-  std::size_t skipped_features = 0; ///< GeoJSON: geometries that are no polygons or say that they are to be ignored.
+  std::size_t unknown_cells = 0;     ///< ROS: counted as blocked unless asked otherwise.
+  double simplify = 0;               ///< The tolerance of --simplify, metres; 0: exact cell boundaries.
+  std::size_t skipped_features = 0;  ///< GeoJSON: geometries that are no polygons or say that they are to be ignored.
 };
 
 struct World {
@@ -58,14 +58,14 @@ struct World {
 /// One tethered robot.
 struct Tether {
   Point base;
-  double length = 0;              ///< Metres.
-  std::optional<Polyline> laid;   ///< The cable as it lies, base first, robot last; absent: the robot is at the base.
+  double length = 0;             ///< Metres.
+  std::optional<Polyline> laid;  ///< The cable as it lies, base first, robot last; absent: the robot is at the base.
 };
 
 /// A robot moved by several cables.
 struct Cables {
-  std::vector<Point> anchors;                ///< Control points in order around the outline.
-  std::optional<std::vector<Polyline>> laid; ///< One polyline per anchor, robot first, anchor last.
+  std::vector<Point> anchors;                 ///< Control points in order around the outline.
+  std::optional<std::vector<Polyline>> laid;  ///< One polyline per anchor, robot first, anchor last.
 };
 
 struct ObstacleMove {

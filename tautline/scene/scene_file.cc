@@ -35,9 +35,10 @@ Expected<Scene> ReadSceneFile(const std::string& path, const SceneOptions& optio
     return InvalidInput("must be a length in metres, 0 or more", "--simplify");
   }
   if (IsMapName(path)) {
-    return InvalidInput("this is a map, not a scene; write a scene file that names it, a ROS map by its YAML: "
-                        "`world: {map: FILE}`",
-                        path);
+    return InvalidInput(
+        "this is a map, not a scene; write a scene file that names it, a ROS map by its YAML: "
+        "`world: {map: FILE}`",
+        path);
   }
   const auto text = ReadTextFile(path, kMaxDocumentBytes);
   if (!text) return tl::unexpected<Error>(text.error());

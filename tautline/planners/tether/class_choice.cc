@@ -16,9 +16,9 @@ namespace {
 struct Label {
   CornerId corner;
   Side head = Side::kNone;
-  EdgeId edge;               ///< The last edge; invalid for the first leg from the robot.
-  double path = 0;           ///< Metres from the robot.
-  double tether = 0;         ///< Metres from the base; known once settled.
+  EdgeId edge;        ///< The last edge; invalid for the first leg from the robot.
+  double path = 0;    ///< Metres from the robot.
+  double tether = 0;  ///< Metres from the base; known once settled.
   std::int64_t parent = -1;
   std::optional<Walk> walk;  ///< Of the tether; empty once merged.
 };

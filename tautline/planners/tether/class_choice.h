@@ -11,7 +11,7 @@
 namespace tautline {
 
 struct ClassChoiceOptions {
-  double max_tether = 0;           ///< Metres, from the walk's start.
+  double max_tether = 0;            ///< Metres, from the walk's start.
   std::int64_t budget = 5'000'000;  ///< Labels after which the search gives up.
 };
 

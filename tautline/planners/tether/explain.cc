@@ -27,13 +27,20 @@ std::string InsideObstacle(const TautSpace& space) {
 
 std::string ToString(PlanObstruction obstruction) {
   switch (obstruction) {
-    case PlanObstruction::kNone: return "";
-    case PlanObstruction::kStartBlocked: return "start_blocked";
-    case PlanObstruction::kGoalBlocked: return "goal_blocked";
-    case PlanObstruction::kGoalUnreachable: return "goal_unreachable";
-    case PlanObstruction::kLaidCableBlocked: return "laid_cable_blocked";
-    case PlanObstruction::kLaidCableTooLong: return "laid_cable_too_long";
-    case PlanObstruction::kTetherTooShort: return "tether_too_short";
+    case PlanObstruction::kNone:
+      return "";
+    case PlanObstruction::kStartBlocked:
+      return "start_blocked";
+    case PlanObstruction::kGoalBlocked:
+      return "goal_blocked";
+    case PlanObstruction::kGoalUnreachable:
+      return "goal_unreachable";
+    case PlanObstruction::kLaidCableBlocked:
+      return "laid_cable_blocked";
+    case PlanObstruction::kLaidCableTooLong:
+      return "laid_cable_too_long";
+    case PlanObstruction::kTetherTooShort:
+      return "tether_too_short";
   }
   return "";
 }
@@ -52,12 +59,14 @@ std::string ExplainUnreachable(Point goal) {
 }
 
 std::string ExplainLaidTooLong(double taut_length, double limit) {
-  return "the cable as laid needs " + Metres(taut_length) + " when pulled taut, but the tether has only " + Metres(limit);
+  return "the cable as laid needs " + Metres(taut_length) + " when pulled taut, but the tether has only " +
+         Metres(limit);
 }
 
 std::string ExplainTooShort(const TautSpace& space, const TautPath& shortest, double limit) {
-  return "the tether of " + Metres(limit) + " is " + Metres(shortest.length - limit) + " too short: the goal needs at least " +
-         Metres(shortest.length) + ", in the class '" + ToString(shortest.word, space.rays().names()) + "'";
+  return "the tether of " + Metres(limit) + " is " + Metres(shortest.length - limit) +
+         " too short: the goal needs at least " + Metres(shortest.length) + ", in the class '" +
+         ToString(shortest.word, space.rays().names()) + "'";
 }
 
 std::string ExplainBudget(std::int64_t budget) {

@@ -46,14 +46,14 @@ struct PlanOptions {
 struct PlanResult {
   PlanStatus status = PlanStatus::kInfeasible;
   PlanObstruction obstruction = PlanObstruction::kNone;
-  std::string explanation;              ///< One sentence with the numbers when there is no plan.
-  double limit = 0;                     ///< The tether's length, metres.
-  TautPath start;                       ///< The laid cable pulled tight, base first; empty when it is blocked.
-  std::optional<Motion> motion;         ///< The best motion, when solved.
-  std::optional<Motion> rejected;       ///< The shortest motion with any tether, where the limit forbids it.
+  std::string explanation;                  ///< One sentence with the numbers when there is no plan.
+  double limit = 0;                         ///< The tether's length, metres.
+  TautPath start;                           ///< The laid cable pulled tight, base first; empty when it is blocked.
+  std::optional<Motion> motion;             ///< The best motion, when solved.
+  std::optional<Motion> rejected;           ///< The shortest motion with any tether, where the limit forbids it.
   std::optional<TautPath> shortest_tether;  ///< For kTetherTooShort: the class that needs the least tether.
-  std::vector<Motion> all;              ///< With PlanOptions::all: shortest motion first.
-  bool all_complete = false;            ///< No class within the limit is missing from `all`.
+  std::vector<Motion> all;                  ///< With PlanOptions::all: shortest motion first.
+  bool all_complete = false;                ///< No class within the limit is missing from `all`.
 };
 
 /// Plans on the scene's world, tether and goal. The robot and its tether share one free space; the taut tether may be

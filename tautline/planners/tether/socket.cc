@@ -18,9 +18,8 @@ std::vector<Point> NearestExits(const FreeSpace& space, Point base) {
     add(component.outer);
     for (const BoundaryRing& hole : component.holes) add(hole);
   }
-  std::sort(exits.begin(), exits.end(), [base](Point a, Point b) {
-    return std::pair(Distance(base, a), a) < std::pair(Distance(base, b), b);
-  });
+  std::sort(exits.begin(), exits.end(),
+            [base](Point a, Point b) { return std::pair(Distance(base, a), a) < std::pair(Distance(base, b), b); });
   return exits;
 }
 

@@ -93,8 +93,8 @@ ClassList TetherPlanner::TethersTo(const Socket& socket, const Walk& root, Place
 }
 
 void TetherPlanner::ListAll(const LaidCable& laid, Place goal, const PlanOptions& options, PlanResult& result) const {
-  const ClassList tethers =
-      TethersTo(laid.socket, laid.Root(), goal, {.max_length = result.limit, .max_count = {}, .budget = options.budget});
+  const ClassList tethers = TethersTo(laid.socket, laid.Root(), goal,
+                                      {.max_length = result.limit, .max_count = {}, .budget = options.budget});
   const Polyline cable = Points(PullTaut(space_->mesh(), laid.walk));
   const Polyline back(cable.rbegin(), cable.rend());
   for (const TautPath& tether : tethers.classes) {
@@ -122,8 +122,8 @@ void TetherPlanner::Choose(const LaidCable& laid, Place goal, const PlanOptions&
   result.rejected = std::move(shortest);
   // No admissible motion is longer than back along the cable to the base and out along the new tether.
   const GoalField field(*space_, goal, result.start.length + limit);
-  const ClassChoice choice = ChooseClass(
-      *space_, laid.walk, field, {.max_tether = limit - laid.socket.stub_length, .budget = options.budget});
+  const ClassChoice choice =
+      ChooseClass(*space_, laid.walk, field, {.max_tether = limit - laid.socket.stub_length, .budget = options.budget});
   TAUTLINE_CHECK(choice.path || choice.budget_exceeded);
   if (choice.path) {
     result.motion = MotionAlong(laid, *choice.path);
@@ -138,7 +138,8 @@ PlanResult TetherPlanner::Plan(const Tether& tether, Point goal, const PlanOptio
   result.limit = tether.length;
   const double limit = tether.length * (1 + kTetherTolerance);
   const auto place = space_->Locate(goal);
-  if (!place) return Infeasible(std::move(result), PlanObstruction::kGoalBlocked, ExplainBlocked(*space_, "the goal", goal));
+  if (!place)
+    return Infeasible(std::move(result), PlanObstruction::kGoalBlocked, ExplainBlocked(*space_, "the goal", goal));
   const auto laid = FollowLaidCable(tether);
   if (!laid) {
     return Infeasible(std::move(result), laid.error().obstruction,
