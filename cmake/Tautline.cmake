@@ -52,7 +52,7 @@ function(tautline_test)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;LINK")
   set(target tautline_${arg_NAME})
   add_executable(${target} ${arg_SOURCES})
-  target_link_libraries(${target} PRIVATE ${arg_LINK} GTest::gmock GTest::gtest_main rapidcheck_gtest)
+  target_link_libraries(${target} PRIVATE ${arg_LINK} GTest::gmock GTest::gtest_main)
   string(REGEX REPLACE "_test$" "/" prefix ${arg_NAME})
   gtest_discover_tests(
     ${target}
