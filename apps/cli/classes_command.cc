@@ -9,6 +9,7 @@
 #include "apps/cli/describe.h"
 #include "apps/cli/exit_status.h"
 #include "apps/cli/json_values.h"
+#include "apps/cli/option_checks.h"
 #include "apps/cli/point_option.h"
 #include "apps/cli/verification.h"
 #include "tautline/draw/draw_classes.h"
@@ -20,8 +21,9 @@
 namespace tautline::cli {
 namespace {
 
-/// How many classes are listed when neither a length nor a count is given and the scene has no tether.
-constexpr std::int64_t kDefaultCount = 10;
+/// How many classes are listed when neither a length nor a count is given: on a map with many obstacles a tether has
+/// hundreds of thousands.
+constexpr std::int64_t kDefaultCount = 100;
 
 struct ClassesCommand {
   CommonOptions common;
@@ -55,7 +57,7 @@ Expected<Question> Ask(const ClassesCommand& command, const Scene& scene) {
   question.to = *to;
   if (!command.options.max_length && !command.options.max_count) {
     if (scene.tether) question.options.max_length = scene.tether->length;
-    if (!scene.tether) question.options.max_count = kDefaultCount;
+    question.options.max_count = kDefaultCount;
   }
   return question;
 }
@@ -176,18 +178,19 @@ Run AddClasses(CLI::App& app) {
   AddCommonOptions(*sub, command->common);
   sub->add_option("--from", command->from, "where the paths start; default: the tether's base")->type_name("X,Y");
   sub->add_option("--to", command->to, "where they end; default: the goal")->type_name("X,Y");
-  CLI::Option* max_length = sub->add_option("--max-length", command->options.max_length,
-                                            "only classes no longer than this; default: the tether")
-                                ->type_name("METRES")
-                                ->check(CLI::NonNegativeNumber);
-  CLI::Option* count = sub->add_option("--count", command->options.max_count, "only so many, the shortest");
-  count->check(CLI::PositiveNumber);
+  CLI::Option* max_length =
+      sub->add_option("--max-length", command->options.max_length, "only classes no longer than this")
+          ->type_name("METRES")
+          ->check(NonNegative());
+  CLI::Option* count = sub->add_option("--count", command->options.max_count,
+                                       "only so many, the shortest; default without both: 100 up to the tether");
+  count->check(AtLeastOne());
   sub->add_option("--word", command->word, "only the class of this ray word, such as \"a b^-1\"")
       ->type_name("WORD")
       ->excludes(max_length)
       ->excludes(count);
   sub->add_option("--budget", command->options.budget, "search steps after which to stop")
-      ->check(CLI::PositiveNumber)
+      ->check(AtLeastOne())
       ->capture_default_str();
   sub->footer(
       "Example:\n  tautline classes scenes/two_ways.yaml --count 5 --svg classes.svg\n"

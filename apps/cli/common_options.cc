@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "apps/cli/option_checks.h"
 #include "apps/cli/output_file.h"
 #include "tautline/draw/png.h"
 #include "tautline/scene/scene_file.h"
@@ -14,20 +15,23 @@ namespace tautline::cli {
 void AddCommonOptions(CLI::App& command, CommonOptions& options) {
   command.add_option("scene", options.scene, "the scene: a YAML or JSON file")->required()->type_name("SCENE");
   command.add_flag("--json", options.json, "print one JSON document and nothing else");
-  command.add_option("--svg", options.svg, "draw the answer to this SVG file")->type_name("FILE");
-  command.add_option("--png", options.png, "draw the answer to this PNG file")->type_name("FILE");
+  command.add_option("--svg", options.svg, "draw the answer to this SVG file")->type_name("FILE")->check(FileName());
+  command.add_option("--png", options.png, "draw the answer to this PNG file")->type_name("FILE")->check(FileName());
   command.add_flag("--quiet", options.quiet, "print nothing but errors");
   command.add_flag("--verify", options.verify, "check the answer by independent means before printing it");
   command.add_option("--unknown", options.unknown, "what unknown cells of a ROS map are: blocked or free")
       ->check(CLI::IsMember({"blocked", "free"}));
   command.add_option("--simplify", options.simplify, "let boundaries traced from cells grow by up to this, metres")
       ->type_name("METRES")
-      ->check(CLI::Range(0.0, 1e9));
-  command.add_option("--threads", options.threads, "the most threads to use")->check(CLI::Range(1, 1024));
+      ->check(NonNegative());
+  command.add_option("--threads", options.threads, "the most threads to use")->check(AtLeastOne());
   command.add_option("--seed", options.seed, "the seed of everything random");
 }
 
 Expected<Scene> ReadScene(const CommonOptions& options) {
+  if (!options.svg.empty() && options.svg == options.png) {
+    return InvalidInput("--svg and --png name the same file; give each its own", options.svg);
+  }
   return ReadSceneFile(options.scene, {.unknown_free = options.unknown == "free", .simplify = options.simplify});
 }
 

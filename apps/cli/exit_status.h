@@ -9,7 +9,6 @@ enum ExitStatus : int {
   kExitFault = 1,       ///< A fault of tautline's own.
   kExitBadInput = 2,    ///< The input or the call is wrong, or its output cannot be written.
   kExitInfeasible = 3,  ///< Well posed, and without a solution.
-  kExitInterrupted = 130,
 };
 
 }  // namespace tautline::cli

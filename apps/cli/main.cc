@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,19 @@ namespace {
 int Complain(const std::string& what, int status) {
   std::fprintf(stderr, "tautline: %s\n", what.c_str());
   return status;
+}
+
+/// What is wrong with the call; an option that nobody knows comes before anything that is missing.
+std::string WhatIsWrong(const CLI::App& app, const CLI::ParseError& error) {
+  std::string command = "tautline";
+  for (const CLI::App* sub : app.get_subcommands({})) {
+    if (sub->parsed()) command += " " + sub->get_name();
+  }
+  std::string what = error.what();
+  for (const std::string& unknown : app.remaining(true)) {
+    if (unknown[0] == '-') what = "there is no option " + unknown;
+  }
+  return what + "; see `" + command + " --help`";
 }
 
 int Main(int argc, char** argv) {
@@ -38,9 +52,12 @@ int Main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    std::ostringstream text;
+    app.exit(help, text, text);
+    const auto written = WriteStandardOutput(text.str());
+    return written ? kExitSolved : Complain(ToString(written.error()), kExitBadInput);
   } catch (const CLI::ParseError& error) {
-    return Complain(std::string(error.what()) + "; see `tautline --help`", kExitBadInput);
+    return Complain(WhatIsWrong(app, error), kExitBadInput);
   }
   for (std::size_t i = 0; i < commands.size(); ++i) {
     if (!commands[i]->parsed()) continue;

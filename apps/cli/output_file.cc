@@ -8,8 +8,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-
-#include "apps/cli/exit_status.h"
+#include <filesystem>
 
 namespace tautline::cli {
 namespace {
@@ -17,9 +16,9 @@ namespace {
 // The one mutable global: a signal handler can reach nothing else. Empty while no temporary file exists.
 std::array<char, 4096> temporary_path{};
 
-extern "C" void OnInterrupt(int) {
+extern "C" void OnInterrupt(int signal) {
   if (temporary_path[0] != '\0') unlink(temporary_path.data());
-  _exit(kExitInterrupted);
+  _exit(128 + signal);
 }
 
 tl::unexpected<Error> CannotWrite(const std::string& what, int error) {
@@ -51,6 +50,16 @@ int WriteTemporary(std::string_view bytes) {
   return error;
 }
 
+/// Where the file itself is, or would be made: renaming onto a link would replace the link.
+std::string FollowLinks(std::filesystem::path path) {
+  constexpr int kMostLinks = 40;  // As the kernel's own limit; a loop ends there and fails to open.
+  std::error_code none;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, none); ++i) {
+    path = path.parent_path() / std::filesystem::read_symlink(path, none);
+  }
+  return path.string();
+}
+
 bool IsSpecialFile(const std::string& path) {
   struct stat status {};
   return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
@@ -78,7 +87,8 @@ int WriteByRename(const std::string& path, std::string_view bytes) {
 }  // namespace
 
 Expected<void> WriteFile(const std::string& path, std::string_view bytes) {
-  const int error = IsSpecialFile(path) ? WriteSpecial(path, bytes) : WriteByRename(path, bytes);
+  const std::string target = FollowLinks(path);
+  const int error = IsSpecialFile(target) ? WriteSpecial(target, bytes) : WriteByRename(target, bytes);
   if (error != 0) return CannotWrite(path, error);
   return {};
 }
@@ -91,7 +101,7 @@ Expected<void> WriteStandardOutput(std::string_view bytes) {
 void HandleSignals() {
   std::signal(SIGINT, OnInterrupt);
   std::signal(SIGTERM, OnInterrupt);
-  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGHUP, OnInterrupt);
 }
 
 }  // namespace tautline::cli

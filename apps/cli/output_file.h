@@ -9,15 +9,16 @@
 
 namespace tautline::cli {
 
-/// Writes the bytes to a temporary file beside `path` and renames it. Nothing is left behind on an error, nor when the
+/// Writes the bytes to a temporary file beside `path`, or beside what a link of that name points to, and renames it.
+/// Nothing is left behind on an error, nor when the
 /// program is interrupted. Errors: kUnreadable, with the system's reason.
 [[nodiscard]] Expected<void> WriteFile(const std::string& path, std::string_view bytes);
 
 /// Writes and flushes. Errors: a full disk, a closed pipe.
 [[nodiscard]] Expected<void> WriteStandardOutput(std::string_view bytes);
 
-/// From now on Ctrl-C and SIGTERM remove the temporary file, if there is one, and end the program with status 130; a
-/// closed pipe is an error to be told, not a signal.
+/// From now on Ctrl-C, SIGTERM and SIGHUP remove the temporary file, if there is one, and end the program with status
+/// 128 + the signal's number, 130 for Ctrl-C. A closed pipe ends it silently, as programs in a pipeline do.
 void HandleSignals();
 
 }  // namespace tautline::cli

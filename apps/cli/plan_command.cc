@@ -8,6 +8,7 @@
 #include "apps/cli/describe.h"
 #include "apps/cli/exit_status.h"
 #include "apps/cli/json_values.h"
+#include "apps/cli/option_checks.h"
 #include "apps/cli/required_parts.h"
 #include "apps/cli/verification.h"
 #include "tautline/draw/draw_plan.h"
@@ -155,7 +156,7 @@ Run AddPlan(CLI::App& app) {
   AddCommonOptions(*sub, command->common);
   sub->add_flag("--all", command->options.all, "also list every class of the goal that the tether allows");
   sub->add_option("--budget", command->options.budget, "search steps after which to stop")
-      ->check(CLI::PositiveNumber)
+      ->check(AtLeastOne())
       ->capture_default_str();
   sub->footer(
       "Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n"

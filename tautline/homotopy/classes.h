@@ -14,7 +14,7 @@ namespace tautline {
 struct ClassOptions {
   std::optional<double> max_length;       ///< Metres; only classes whose taut path is no longer.
   std::optional<std::int64_t> max_count;  ///< Only the so many shortest.
-  std::int64_t budget = 5'000'000;        ///< Expanded search states after which the list ends incomplete.
+  std::int64_t budget = 1'000'000;        ///< Expanded search states after which the list ends incomplete.
 };
 
 struct ClassList {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 #include <string>
 
 #include "tautline/base/test_scale.h"
@@ -21,6 +22,8 @@ struct Files {
   const char* name;
   const char* map;
   const char* scen;
+
+  friend void PrintTo(const Files& files, std::ostream* out) { *out << files.map; }
 };
 
 class MovingAi : public testing::TestWithParam<Files> {};

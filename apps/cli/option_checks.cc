@@ -1,0 +1,35 @@
+#include "apps/cli/option_checks.h"
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+namespace tautline::cli {
+
+CLI::Validator NonNegative() {
+  const auto check = [](const std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0) return "";
+    return "'" + text + "' is not a number of 0 or more";
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator AtLeastOne() {
+  const auto check = [](const std::string& text) -> std::string {
+    std::int64_t value = 0;
+    if (CLI::detail::lexical_cast(text, value) && value >= 1) return "";
+    return "'" + text + "' is not a whole number of 1 or more";
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator FileName() {
+  const auto check = [](const std::string& text) -> std::string {
+    if (text.empty()) return "the name of the file is empty";
+    return text[0] == '-' ? "'" + text + "' is an option, not the name of a file; write ./" + text + " if it is" : "";
+  };
+  return CLI::Validator(check, "");
+}
+
+}  // namespace tautline::cli
