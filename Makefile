@@ -40,9 +40,9 @@ asan tsan:
 
 .PHONY: format format-check
 format: packages-ci  ## format all sources
-	clang-format-14 -i $(SOURCES)
+	@clang-format-14 -i $(SOURCES)
 format-check: packages-ci  ## fail if a source is not formatted
-	clang-format-14 --dry-run --Werror $(SOURCES)
+	@clang-format-14 --dry-run --Werror $(SOURCES)
 
 .PHONY: tidy
 tidy: packages-ci  ## run clang-tidy over all sources but the tests

@@ -137,8 +137,8 @@ bool TriangulationBuilder::IsIllegal(TriangleId triangle, int index) {
   const TriangleId across = here.neighbour(index);
   if (!across.valid() || here.is_constrained(index)) return false;
   const VertexId opposite = At(across).vertex(At(across).IndexOf(triangle));
-  return InCircle(mesh_.corner(triangle, 0), mesh_.corner(triangle, 1), mesh_.corner(triangle, 2),
-                  PointOf(opposite)) > 0;
+  return InCircle(mesh_.corner(triangle, 0), mesh_.corner(triangle, 1), mesh_.corner(triangle, 2), PointOf(opposite)) >
+         0;
 }
 
 /// Flips until all edges opposite to `vertex` are Delaunay. The suspicious sides are those opposite to it.

@@ -43,7 +43,7 @@ class WordTable {
 class ClassOracle {
  public:
   /// More states than this end a search without an answer.
-  static constexpr std::size_t kMaxStates = 300'000;
+  static constexpr std::size_t kMaxStates = 60'000;
 
   /// `representatives` by letter.
   ClassOracle(std::span<const Ring> rings, std::span<const Point> representatives, std::span<const Point> points);
