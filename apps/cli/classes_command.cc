@@ -132,13 +132,24 @@ std::string ToText(const Found& found, const Question& question, const FreeSpace
   return text;
 }
 
+/// Whether a point belongs to several free sectors: obstacles touch there. From such a point, one word may name several
+/// classes, since the obstacles share one ray.
+bool IsTouchingPoint(const TautSpace& space, Point p) {
+  const auto place = space.Locate(p);
+  return place && space.mesh().Sectors(*place).size() > 1;
+}
+
 /// Every path is taut and free and no two are of one class.
-std::vector<std::string> Faults(const Found& found, const FreeSpace& space, bool has_stub) {
+std::vector<std::string> Faults(const Found& found, const TautSpace& space, const Question& question) {
   std::vector<std::string> faults;
   std::set<Word> words;
+  const bool has_stub = !space.Locate(question.from);
+  const bool words_tell = !IsTouchingPoint(space, question.from) && !IsTouchingPoint(space, question.to);
   for (const TautPath& path : found.list.classes) {
-    for (const std::string& fault : CurveFaults(space, path, has_stub)) faults.push_back("a class's path " + fault);
-    if (!words.insert(path.word).second) faults.emplace_back("a class is listed twice");
+    for (const std::string& fault : CurveFaults(space.free_space(), path, has_stub)) {
+      faults.push_back("a class's path " + fault);
+    }
+    if (!words.insert(path.word).second && words_tell) faults.emplace_back("a class is listed twice");
   }
   return faults;
 }
@@ -161,8 +172,8 @@ Expected<int> RunClasses(const ClassesCommand& command) {
   Json json = ToJson(found, space);
   std::string text = ToText(found, *question, space);
   if (MustVerify(command.common)) {
-    const bool has_stub = !planner->space().Locate(question->from);
-    ReportVerification(Faults(found, space, has_stub), static_cast<int>(found.list.classes.size()), json, text);
+    const std::vector<std::string> faults = Faults(found, planner->space(), *question);
+    ReportVerification(faults, static_cast<int>(found.list.classes.size()), json, text);
   }
   const auto draw = [&] {
     return DrawClasses(*scene, space, {.from = question->from, .to = question->to, .list = found.list});

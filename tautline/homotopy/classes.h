@@ -26,11 +26,12 @@ struct ClassList {
 /// Enumerates taut walks from `from` to `to`, each the one shortest path of its class, in order of length. Finite and
 /// complete when max_length is given and the budget suffices. Empty and complete when the points lie in different
 /// components. Requires both points in the free space of `space`. One backward Dijkstra over the directed edges of
-/// the reduced visibility graph, then O(log) per state; every expanded state leads to a listed class.
+/// the reduced visibility graph, then O(log) per state; every expanded state leads to a listed class. Where an end lies
+/// on a vertex at which obstacles touch, one word may stand for several classes.
 ClassList FindClasses(const TautSpace& space, Point from, Point to, const ClassOptions& options = {});
 
 /// The same for paths that go on from where a walk stands: on a vertex where blocked ground touches they leave within
-/// the sector that the walk came in by. Requires that walk and goal are connected.
+/// the sector that the walk came in by, and there may be none.
 ClassList FindClassesOnward(const TautSpace& space, const Walk& walk, Place to, const ClassOptions& options = {});
 
 }  // namespace tautline

@@ -19,8 +19,8 @@ constexpr Side Opposite(Side side) {
   return side == Side::kLeft ? Side::kRight : side == Side::kRight ? Side::kLeft : Side::kNone;
 }
 
-/// A boundary vertex with one of its free sectors, where that sector is wider than a half turn. A vertex at which two
-/// obstacles touch has several sectors and may be several corners.
+/// A boundary vertex with the one free sector there that is wider than a half turn. Where blocked ground touches, the
+/// vertex has other sectors besides.
 struct Corner {
   VertexId vertex;
   Point point;

@@ -146,15 +146,16 @@ PlanResult TetherPlanner::Plan(const Tether& tether, Point goal, const PlanOptio
                       ExplainLaidCable(*space_, laid.error().obstruction, laid.error().at));
   }
   result.start = laid->in_socket ? space_->MakePath({tether.base}) : TetherAlong(laid->socket, laid->walk);
-  if (!space_->mesh().Connected(laid->robot(), *place)) {
+  // From the base on, since where obstacles touch, a robot and its tether keep to their sector.
+  const ClassList nearest = TethersTo(laid->socket, laid->Root(), *place, {.max_length = {}, .max_count = 1});
+  if (nearest.classes.empty()) {
     return Infeasible(std::move(result), PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal));
   }
   if (result.start.length > limit) {
     std::string why = ExplainLaidTooLong(result.start.length, tether.length);
     return Infeasible(std::move(result), PlanObstruction::kLaidCableTooLong, std::move(why));
   }
-  const ClassList nearest = TethersTo(laid->socket, laid->Root(), *place, {.max_length = {}, .max_count = 1});
-  if (nearest.classes.at(0).length > limit) {
+  if (nearest.classes[0].length > limit) {
     result.shortest_tether = nearest.classes[0];
     std::string why = ExplainTooShort(*space_, *result.shortest_tether, tether.length);
     return Infeasible(std::move(result), PlanObstruction::kTetherTooShort, std::move(why));
