@@ -120,10 +120,12 @@ std::string ToText(const Found& found, const Question& question, const FreeSpace
   const std::size_t count = found.list.classes.size();
   std::string text = Counted(count, "class", "classes");
   if (question.word) text += fmt::format(" of the word '{}'", *question.word);
-  if (question.options.max_length && !question.word)
+  if (question.options.max_length && !question.word) {
     text += fmt::format(" up to {}", Metres(*question.options.max_length));
-  if (!found.list.complete)
+  }
+  if (!found.list.complete) {
     text += found.list.budget_exceeded ? ", more exist: the budget ran out" : ", longer ones exist";
+  }
   text += count == 0 ? ".\n" : ":\n";
   for (std::size_t i = 0; i < count; ++i) {
     const TautPath& path = found.list.classes[i];

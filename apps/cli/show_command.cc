@@ -87,8 +87,9 @@ Json ToJson(const Scene& scene, const FreeSpace& space) {
 template <class Entries, class ToLine>
 void AddLines(const Entries& entries, ToLine to_line, std::string& text) {
   for (std::size_t i = 0; i < entries.size() && i < kMostLines; ++i) text += "  " + to_line(entries[i]) + "\n";
-  if (entries.size() > kMostLines)
+  if (entries.size() > kMostLines) {
     text += fmt::format("  ... and {} more (--json lists all)\n", entries.size() - kMostLines);
+  }
 }
 
 std::string MapText(const MapSource& map) {

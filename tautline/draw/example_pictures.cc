@@ -20,7 +20,7 @@ void Map(TautPath& path, double factor, Point offset) {
 
 Box Grown(const Box& box, double by) { return {box.low - Point{by, by}, box.high + Point{by, by}}; }
 
-Word Letters(std::vector<int> letters) {
+Word Letters(const std::vector<int>& letters) {
   Word word;
   for (const int letter : letters) {
     word.Append({ObstacleId(static_cast<std::size_t>(std::abs(letter) - 1)), letter < 0});
@@ -28,9 +28,9 @@ Word Letters(std::vector<int> letters) {
   return word;
 }
 
-TautPath Path(Polyline points, std::vector<int> letters) {
+TautPath Path(Polyline points, const std::vector<int>& letters) {
   const double length = Length(points);
-  return {std::move(points), length, Letters(std::move(letters))};
+  return {std::move(points), length, Letters(letters)};
 }
 
 /// The classes of the room from the base to the goal, made up of corners of its grown obstacles.

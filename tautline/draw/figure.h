@@ -17,7 +17,7 @@
 namespace tautline {
 
 struct FigureContent {
-  std::string title = "";                ///< The answer in words.
+  std::string title;                     ///< The answer in words.
   std::vector<std::string> notes = {};   ///< Sentences below it.
   std::vector<LegendEntry> legend = {};  ///< In front of the entries of the ground.
   std::vector<std::string> tints = {};   ///< Colours of the components; missing ones are white.

@@ -9,11 +9,11 @@ namespace tautline {
 
 struct LineStyle {
   std::string colour = "#1a1a1a";
-  double width = 1.5;       ///< Pixels, with its casing.
-  std::string casing = "";  ///< Colour of a thin edge on both sides; "": none.
-  std::string dashes = "";  ///< Lengths of dashes and gaps, pixels; "": solid.
-  bool wavy = false;        ///< Drawn as a wave about the line: slack cable.
-  bool arrows = false;      ///< With arrow heads along its direction.
+  double width = 1.5;   ///< Pixels, with its casing.
+  std::string casing;   ///< Colour of a thin edge on both sides; "": none.
+  std::string dashes;   ///< Lengths of dashes and gaps, pixels; "": solid.
+  bool wavy = false;    ///< Drawn as a wave about the line: slack cable.
+  bool arrows = false;  ///< With arrow heads along its direction.
 };
 
 /// The lines of a plan from the widest to the narrowest: where they share an edge, each still shows

@@ -32,7 +32,7 @@ RingsByIsland CollectRings(const FreeSpace& space, const View& view, const std::
 /// The needed islands and those others that may be named, largest first within both.
 std::vector<ObstacleId> ChooseIslands(const FreeSpace& space, const std::set<ObstacleId>& needed) {
   std::vector<ObstacleId> order;
-  for (std::size_t i = 0; i < space.islands.size(); ++i) order.push_back(ObstacleId(i));
+  for (std::size_t i = 0; i < space.islands.size(); ++i) order.emplace_back(i);
   std::stable_sort(order.begin(), order.end(), [&](ObstacleId a, ObstacleId b) {
     if (needed.contains(a) != needed.contains(b)) return needed.contains(a);
     return space.islands[a.index()].area > space.islands[b.index()].area;

@@ -19,8 +19,8 @@ std::string EscapeXml(std::string_view text);
 struct SvgStyle {
   std::string fill = "none";
   std::string stroke = "none";
-  double width = 1;         ///< Of the stroke, pixels.
-  std::string dashes = "";  ///< Lengths of dashes and gaps, pixels: "6 3".
+  double width = 1;    ///< Of the stroke, pixels.
+  std::string dashes;  ///< Lengths of dashes and gaps, pixels: "6 3".
 };
 
 /// The fill that DefineHatch defines.
@@ -36,7 +36,7 @@ struct SvgText {
   bool bold = false;
   bool italic = false;
   std::string fill = "#1a1a1a";
-  std::string halo = "";  ///< Colour of an outline around the letters; "": none.
+  std::string halo;  ///< Colour of an outline around the letters; "": none.
 };
 
 /// Builds one SVG document. All coordinates are pixels with y down; points that are not finite are
@@ -44,10 +44,10 @@ struct SvgText {
 class SvgWriter {
  public:
   struct Options {
-    double width = 1000;     ///< Pixels.
-    double height = 600;     ///< Pixels.
-    int decimals = 2;        ///< Of coordinates; 1 keeps drawings of large maps lean.
-    std::string title = "";  ///< Read out by screen readers.
+    double width = 1000;  ///< Pixels.
+    double height = 600;  ///< Pixels.
+    int decimals = 2;     ///< Of coordinates; 1 keeps drawings of large maps lean.
+    std::string title;    ///< Read out by screen readers.
   };
   explicit SvgWriter(const Options& options);
 

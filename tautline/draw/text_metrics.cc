@@ -59,7 +59,7 @@ std::vector<std::string> Wrap(std::string_view text, const WrapOptions& options)
   while (!text.empty()) {
     const std::size_t space = FirstWord(text);
     const std::string word(text.substr(0, space));
-    if (!line.empty() && !fits(line + " " + word)) {
+    if (!line.empty() && !fits(std::string(line).append(" ").append(word))) {
       if (static_cast<int>(lines.size()) + 1 == options.max_lines) {
         line += " " + std::string(text);
         break;

@@ -65,6 +65,7 @@ std::vector<int> ClassOracle::LettersOf(Point p, Point q) const {
   }
   std::sort(crossed.begin(), crossed.end());
   std::vector<int> letters;
+  letters.reserve(crossed.size());
   for (const auto& [x, letter] : crossed) letters.push_back(p.x < q.x ? letter : -letter);
   if (q.x < p.x) std::reverse(letters.begin(), letters.end());
   return letters;
@@ -149,6 +150,7 @@ std::optional<std::vector<OracleClass>> ClassOracle::ClassesBetween(std::span<co
       .start = {from.begin(), from.end()}, .word = 0, .remaining = DistancesTo(to), .limit = max_length, .allowed = {}};
   if (!Run(search, visit)) return std::nullopt;
   std::vector<OracleClass> classes;
+  classes.reserve(shortest.size());
   for (const auto& [word, length] : shortest) classes.push_back({length, words_.ToWord(word)});
   std::sort(classes.begin(), classes.end(),
             [](const OracleClass& a, const OracleClass& b) { return a.length < b.length; });

@@ -59,8 +59,9 @@ std::vector<TautPoint> DropStraight(const std::vector<TautPoint>& points) {
       if (kept.size() > 1) kept.back() = p;
       continue;
     }
-    while (kept.size() >= 2 && Orientation(kept[kept.size() - 2].point, kept.back().point, p.point) == 0)
+    while (kept.size() >= 2 && Orientation(kept[kept.size() - 2].point, kept.back().point, p.point) == 0) {
       kept.pop_back();
+    }
     kept.push_back(p);
   }
   return kept;

@@ -24,8 +24,9 @@ std::optional<Departure> TautSpace::Follow(std::span<const Point> polyline, std:
       walk.emplace(*place);
       continue;
     }
-    if (const auto blocked = WalkNearly(mesh_, place->point, tolerance_, *walk))
+    if (const auto blocked = WalkNearly(mesh_, place->point, tolerance_, *walk)) {
       return Departure{i == 0 ? 0 : i - 1, *blocked};
+    }
   }
   return std::nullopt;
 }

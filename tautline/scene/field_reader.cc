@@ -177,8 +177,9 @@ Polyline FieldReader::ReadPoints(const Document& value, std::string_view what, s
     return points;
   }
   points.reserve(value.items.size());
-  for (std::size_t i = 0; i < value.items.size() && ok_; ++i)
+  for (std::size_t i = 0; i < value.items.size() && ok_; ++i) {
     points.push_back(ReadPoint(value.items[i], Element(what, i)));
+  }
   return points;
 }
 

@@ -1,11 +1,12 @@
 #include "tautline/scene/pgm.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace tautline {
 namespace {
 
-constexpr long kLargestValue = 65535;
+constexpr std::int64_t kLargestValue = 65535;
 
 bool IsBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
@@ -25,10 +26,10 @@ class Scanner {
   }
 
   /// The next number after blanks and comments; nothing when there is none or it is above `largest`.
-  std::optional<long> Number(long largest) {
+  std::optional<std::int64_t> Number(std::int64_t largest) {
     SkipBlanks();
     if (position_ == bytes_.size() || !IsDigit(bytes_[position_])) return std::nullopt;
-    long number = 0;
+    std::int64_t number = 0;
     for (; position_ < bytes_.size() && IsDigit(bytes_[position_]); ++position_) {
       number = number * 10 + (bytes_[position_] - '0');
       if (number > largest) return std::nullopt;
@@ -93,7 +94,7 @@ Expected<RasterImage> ParsePgm(std::string_view bytes, const std::string& file) 
   }
   Scanner scanner(bytes);
   scanner.Skip(2);
-  constexpr long kLongestSide = 1 << 24;
+  constexpr std::int64_t kLongestSide = 1 << 24;
   const auto columns = scanner.Number(kLongestSide), rows = scanner.Number(kLongestSide);
   const auto maximum = scanner.Number(kLargestValue);
   if (!columns || !rows || !maximum || *columns == 0 || *rows == 0 || *maximum == 0) {

@@ -5,8 +5,9 @@
 namespace tautline {
 
 Expected<PlanResult> Plan(const Scene& scene, const PlanOptions& options) {
-  if (!scene.tether)
+  if (!scene.tether) {
     return InvalidInput("the scene has no tether: add `tether: {base: [x, y], length: L}`", scene.path);
+  }
   if (!scene.goal) return InvalidInput("the scene has no goal: add `goal: [x, y]`", scene.path);
   const auto planner = TetherPlanner::Prepare(scene.world);
   if (!planner) return tl::unexpected(planner.error());

@@ -138,8 +138,9 @@ PlanResult TetherPlanner::Plan(const Tether& tether, Point goal, const PlanOptio
   result.limit = tether.length;
   const double limit = tether.length * (1 + kTetherTolerance);
   const auto place = space_->Locate(goal);
-  if (!place)
+  if (!place) {
     return Infeasible(std::move(result), PlanObstruction::kGoalBlocked, ExplainBlocked(*space_, "the goal", goal));
+  }
   const auto laid = FollowLaidCable(tether);
   if (!laid) {
     return Infeasible(std::move(result), laid.error().obstruction,

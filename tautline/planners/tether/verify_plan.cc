@@ -124,8 +124,9 @@ class Verifier {
 
   void CheckCurve(const TautPath& path, const std::string& name, bool has_stub) {
     ++verification_.curves;
-    for (const std::string& fault : CurveFaults(space_, path, has_stub))
+    for (const std::string& fault : CurveFaults(space_, path, has_stub)) {
       Fault(std::string(name).append(" ").append(fault));
+    }
   }
 
   bool Near(Point a, Point b) const { return Distance(a, b) <= 2 * planner_.space().tolerance(); }
@@ -152,8 +153,9 @@ class Verifier {
     if (CountedWord(space_, motion.tether.points) != expected) {
       Fault(name + "'s tether is not in the class that the path leaves behind");
     }
-    if (must_fit && motion.tether.length > result_.limit * (1 + kTetherTolerance))
+    if (must_fit && motion.tether.length > result_.limit * (1 + kTetherTolerance)) {
       Fault(name + "'s tether is too long");
+    }
   }
 
   /// The tether at evenly spaced places of the path, proposed by the engine, certified here.
