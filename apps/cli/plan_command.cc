@@ -44,7 +44,7 @@ void AddMotion(const JsonValues& values, const Motion& motion, double limit, Jso
   json["tether"]["limit"] = limit;
 }
 
-Json ToJson(const PlanResult& result, const FreeSpace& space) {
+Json ToJson(const PlanResult& result, bool all, const FreeSpace& space) {
   const JsonValues values(space);
   Json json;
   json["command"] = "plan";
@@ -60,7 +60,7 @@ Json ToJson(const PlanResult& result, const FreeSpace& space) {
     json["shortest_tether_class"] = values.Of(*result.shortest_tether, "taut");
   }
   if (result.rejected) AddMotion(values, *result.rejected, result.limit, json["rejected"]);
-  if (!result.all.empty() || result.all_complete) {
+  if (all) {
     json["all"] = Json::array();
     for (const Motion& motion : result.all) AddMotion(values, motion, result.limit, json["all"].emplace_back());
     json["all_complete"] = result.all_complete;
@@ -71,8 +71,7 @@ Json ToJson(const PlanResult& result, const FreeSpace& space) {
 void DescribeAll(const PlanResult& result, const std::vector<std::string>& names, std::string& text) {
   if (result.all.empty()) return;
   text += fmt::format("\n{} that the tether allows{}, shortest motion first:\n",
-                      Counted(result.all.size(), "class", "classes"),
-                      result.all_complete ? "" : " (there may be more: the budget ran out)");
+                      Counted(result.all.size(), "class", "classes"), result.all_complete ? "" : " (there are more)");
   for (std::size_t i = 0; i < result.all.size(); ++i) {
     text += fmt::format("  {:3}  path {:>10}  tether {:>10}  class {}\n", i + 1, Metres(result.all[i].path.length),
                         Metres(result.all[i].tether.length), Describe(result.all[i].tether.word, names));
@@ -138,7 +137,7 @@ Expected<int> RunPlan(const PlanCommand& command) {
   if (!planner) return tl::unexpected(planner.error());
   const PlanResult result = planner->Plan(*scene->tether, *scene->goal, command.options);
   const FreeSpace& space = planner->space().free_space();
-  Json json = ToJson(result, space);
+  Json json = ToJson(result, command.options.all, space);
   std::string text = ToText(result, space);
   if (MustVerify(command.common)) {
     const Verification verification = VerifyPlan(*planner, *scene->tether, *scene->goal, result);
@@ -155,6 +154,9 @@ Run AddPlan(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("plan", "the shortest motion of the tethered robot that its tether allows");
   AddCommonOptions(*sub, command->common);
   sub->add_flag("--all", command->options.all, "also list every class of the goal that the tether allows");
+  sub->add_option("--count", command->options.max_all, "with --all, at most so many, those with the shortest tethers")
+      ->check(AtLeastOne())
+      ->capture_default_str();
   sub->add_option("--budget", command->options.budget, "search steps after which to stop")
       ->check(AtLeastOne())
       ->capture_default_str();

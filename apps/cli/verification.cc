@@ -19,7 +19,8 @@ void ReportVerification(const std::vector<std::string>& faults, int curves, Json
     throw std::logic_error(fmt::format("the answer failed verification: {} ({} faults)", faults[0], faults.size()));
   }
   json["verified"] = {{"curves", curves}};
-  text += fmt::format("  verified {} taut curves: free, taut, with the words and lengths claimed\n", curves);
+  if (curves > 0)
+    text += fmt::format("  verified {} taut curves: free, taut, with the words and lengths claimed\n", curves);
 }
 
 }  // namespace tautline::cli

@@ -1,6 +1,7 @@
 #include "tautline/homotopy/classes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <queue>
 
@@ -69,14 +70,56 @@ class ClassSearch {
     return list;
   }
 
+  /// Follows the exact distances from the start down to the goal.
+  std::optional<TautPath> Shortest() {
+    Continuation best = Straight();
+    for (const Place& sector : StartSectors(space_.mesh(), start_)) {
+      for (const TautLeg& leg : LegsFrom(space_, sector)) {
+        const double total = leg.length + BestAfter(from_, leg.corner, leg.side).total;
+        if (total < best.total) best = {total, leg.corner, leg.side};
+      }
+    }
+    if (!std::isfinite(best.total)) return std::nullopt;
+    Polyline points{from_};
+    while (best.corner.valid()) {
+      const Point before = points.back();
+      points.push_back(PointAt(best.corner));
+      best = BestAfter(before, best.corner, best.head);
+    }
+    if (points.back() != field_.goal().point) points.push_back(field_.goal().point);
+    return space_.MakePath(std::move(points));
+  }
+
  private:
+  /// Where a shortest walk goes next, and how far it is to the goal that way; straight to the goal without a corner.
+  struct Continuation {
+    double total = std::numeric_limits<double>::infinity();
+    CornerId corner;
+    Side head = Side::kNone;
+  };
+
+  Continuation Straight() const {
+    Walk straight = start_;
+    if (WalkStraight(space_.mesh(), field_.goal().point, straight)) return {};
+    return {Distance(from_, field_.goal().point), {}, Side::kNone};
+  }
+
+  Continuation BestAfter(Point before, CornerId corner, Side head) const {
+    Continuation best;
+    if (const auto leg = field_.LastLeg(corner, head, before)) best.total = *leg;
+    const auto out = space_.graph().OutOf(corner);
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      const double total = out[k].length + field_.Beyond(EdgeId(space_.graph().First(corner).index() + k));
+      if (out[k].tail != head || total >= best.total) continue;
+      if (IsTautTurn(before, PointAt(corner), head, PointAt(out[k].to))) best = {total, out[k].to, out[k].head};
+    }
+    return best;
+  }
+
   Point PointAt(CornerId id) const { return space_.corners()[id].point; }
 
   void Start() {
-    Walk straight = start_;
-    if (!WalkStraight(space_.mesh(), field_.goal().point, straight)) {
-      Offer(Distance(from_, field_.goal().point), -1, true);
-    }
+    if (const Continuation straight = Straight(); std::isfinite(straight.total)) Offer(straight.total, -1, true);
     for (const Place& sector : StartSectors(space_.mesh(), start_)) {
       for (const TautLeg& leg : LegsFrom(space_, sector)) {
         const auto stem = static_cast<std::int64_t>(stems_.size());
@@ -150,6 +193,10 @@ ClassList FindClasses(const TautSpace& space, Point from, Point to, const ClassO
 
 ClassList FindClassesOnward(const TautSpace& space, const Walk& walk, Place to, const ClassOptions& options) {
   return ClassSearch(space, walk, to, options).Run();
+}
+
+std::optional<TautPath> FindShortestOnward(const TautSpace& space, const Walk& walk, Place to) {
+  return ClassSearch(space, walk, to, {}).Shortest();
 }
 
 }  // namespace tautline

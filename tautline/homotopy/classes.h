@@ -34,6 +34,10 @@ ClassList FindClasses(const TautSpace& space, Point from, Point to, const ClassO
 /// the sector that the walk came in by, and there may be none.
 ClassList FindClassesOnward(const TautSpace& space, const Walk& walk, Place to, const ClassOptions& options = {});
 
+/// The shortest of those paths, without listing any others: nothing when the walk and the place are not connected. One
+/// backward Dijkstra, then O(degree) per corner of the path, however many classes tie.
+std::optional<TautPath> FindShortestOnward(const TautSpace& space, const Walk& walk, Place to);
+
 }  // namespace tautline
 
 #endif  // TAUTLINE_HOMOTOPY_CLASSES_H_

@@ -39,6 +39,8 @@ struct Motion {
 struct PlanOptions {
   /// Also list every class of the goal that the tether allows.
   bool all = false;
+  /// At most so many of them, those with the shortest tethers.
+  std::int64_t max_all = 100;
   /// Labels (plan) or classes (`all`) after which the search stops with kBudgetExceeded.
   std::int64_t budget = 5'000'000;
 };

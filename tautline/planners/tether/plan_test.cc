@@ -220,7 +220,7 @@ TEST_P(PlanRandom, IsTheShortestMotionOfTheOracle) {
 TEST_P(PlanRandom, ListsAllTethersThatFit) {
   ForEachTether(100, [](RandomTether& question, const OracleMotion&, Rng&) {
     const Scene scene = question.scene();
-    const PlanResult result = PlanOf(scene, {.all = true});
+    const PlanResult result = PlanOf(scene, {.all = true, .max_all = 1'000'000});
     if (!result.motion) return;
     ASSERT_TRUE(result.all_complete);
     const auto tethers = question.oracle.Classes(scene.tether->base, *scene.goal, scene.tether->length);
@@ -270,7 +270,7 @@ TEST(Plan, KeepsToItsSectorWhereObstaclesTouch) {
     ExpectLength(expected.checked, expected.unchecked);
     const Scene scene = question->scene();
     const auto planner = TetherPlanner::Prepare(scene.world).value();
-    const PlanResult result = planner.Plan(*scene.tether, *scene.goal, {.all = true});
+    const PlanResult result = planner.Plan(*scene.tether, *scene.goal, {.all = true, .max_all = 1'000'000});
     ExpectLength(LengthOf(result.motion), expected.checked);
     if (result.motion) {
       ExpectLength(result.all.at(0).path.length, expected.checked);

@@ -93,8 +93,9 @@ ClassList TetherPlanner::TethersTo(const Socket& socket, const Walk& root, Place
 }
 
 void TetherPlanner::ListAll(const LaidCable& laid, Place goal, const PlanOptions& options, PlanResult& result) const {
-  const ClassList tethers = TethersTo(laid.socket, laid.Root(), goal,
-                                      {.max_length = result.limit, .max_count = {}, .budget = options.budget});
+  const ClassList tethers =
+      TethersTo(laid.socket, laid.Root(), goal,
+                {.max_length = result.limit, .max_count = options.max_all, .budget = options.budget});
   const Polyline cable = Points(PullTaut(space_->mesh(), laid.walk));
   const Polyline back(cable.rbegin(), cable.rend());
   for (const TautPath& tether : tethers.classes) {
@@ -112,8 +113,9 @@ void TetherPlanner::ListAll(const LaidCable& laid, Place goal, const PlanOptions
 /// The best motion, and the shorter one that the tether forbids. Requires that a motion exists.
 void TetherPlanner::Choose(const LaidCable& laid, Place goal, const PlanOptions& options, PlanResult& result) const {
   const double limit = result.limit * (1 + kTetherTolerance);
-  const ClassList direct = FindClassesOnward(*space_, laid.walk, goal, {.max_length = {}, .max_count = 1});
-  Motion shortest = MotionAlong(laid, direct.classes.at(0).points);
+  const auto direct = FindShortestOnward(*space_, laid.walk, goal);
+  TAUTLINE_CHECK(direct);
+  Motion shortest = MotionAlong(laid, direct->points);
   result.status = PlanStatus::kSolved;
   if (shortest.tether.length <= limit) {
     result.motion = std::move(shortest);
@@ -148,16 +150,15 @@ PlanResult TetherPlanner::Plan(const Tether& tether, Point goal, const PlanOptio
   }
   result.start = laid->in_socket ? space_->MakePath({tether.base}) : TetherAlong(laid->socket, laid->walk);
   // From the base on, since where obstacles touch, a robot and its tether keep to their sector.
-  const ClassList nearest = TethersTo(laid->socket, laid->Root(), *place, {.max_length = {}, .max_count = 1});
-  if (nearest.classes.empty()) {
-    return Infeasible(std::move(result), PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal));
-  }
+  auto nearest = FindShortestOnward(*space_, laid->Root(), *place);
+  if (!nearest) return Infeasible(std::move(result), PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal));
   if (result.start.length > limit) {
     std::string why = ExplainLaidTooLong(result.start.length, tether.length);
     return Infeasible(std::move(result), PlanObstruction::kLaidCableTooLong, std::move(why));
   }
-  if (nearest.classes[0].length > limit) {
-    result.shortest_tether = nearest.classes[0];
+  if (nearest->length + laid->socket.stub_length > limit) {
+    if (laid->socket.stub_length > 0) nearest->points.insert(nearest->points.begin(), laid->socket.base);
+    result.shortest_tether = space_->MakePath(std::move(nearest->points));
     std::string why = ExplainTooShort(*space_, *result.shortest_tether, tether.length);
     return Infeasible(std::move(result), PlanObstruction::kTetherTooShort, std::move(why));
   }

@@ -198,6 +198,10 @@ class Verifier {
 
   void CheckShortestTether(bool has_stub) {
     CheckCurve(*result_.shortest_tether, "the shortest tether", has_stub);
+    if (!Near(result_.shortest_tether->points.front(), tether_.base) ||
+        !Near(result_.shortest_tether->points.back(), goal_)) {
+      Fault("the shortest tether does not run from the base to the goal");
+    }
     if (result_.shortest_tether->length <= result_.limit) Fault("the tether named as too long fits");
   }
 
