@@ -19,8 +19,9 @@ void ReportVerification(const std::vector<std::string>& faults, int curves, Json
     throw std::logic_error(fmt::format("the answer failed verification: {} ({} faults)", faults[0], faults.size()));
   }
   json["verified"] = {{"curves", curves}};
-  if (curves > 0)
+  if (curves > 0) {
     text += fmt::format("  verified {} taut curves: free, taut, with the words and lengths claimed\n", curves);
+  }
 }
 
 }  // namespace tautline::cli

@@ -28,20 +28,34 @@ WordDrawing::WordDrawing(const FreeSpace& space, Rng& rng) {
   }
 }
 
-/// Crossing the column above the k-th ray writes all letters up to the k-th, in the order of their ids: A letter B.
-/// The letter alone is A^-1 (A letter B) B^-1, and A and B start lower.
+/// Crosses a column just above its k-th ray and comes down again: P_k, the letters of the rays up to the k-th in the
+/// order of their ids.
+void WordDrawing::AddCrossing(const Column& column, std::size_t k, bool inverse, Polyline& drawing) const {
+  const double start = inverse ? column.right : column.left, end = inverse ? column.left : column.right;
+  const double height = column.above[k];
+  drawing.insert(drawing.end(), {{start, ground_}, {start, height}, {end, height}, {end, ground_}});
+}
+
+/// P_k is A letter B, where A and B are lower letters. Where one of them is empty the other is P_(k-1), and the letter
+/// is one crossing and another undone; else it is A^-1 P_k B^-1.
 void WordDrawing::AddLetter(Letter letter, Polyline& drawing) const {
   const Column& column = columns_.at(column_of_island_[letter.obstacle.index()]);
   const auto found = std::find(column.islands.begin(), column.islands.end(), letter.obstacle);
+  const auto k = static_cast<std::size_t>(found - column.islands.begin());
   Word before, after;
   std::vector<ObstacleId> lower(column.islands.begin(), found);
   std::sort(lower.begin(), lower.end());
   for (const ObstacleId id : lower) (id < letter.obstacle ? before : after).Append({id, false});
-  const double height = column.above[static_cast<std::size_t>(found - column.islands.begin())];
-  const double start = letter.inverse ? column.right : column.left, end = letter.inverse ? column.left : column.right;
+  if (k > 0 && (before.empty() || after.empty())) {
+    const bool undo_first = after.empty() != letter.inverse;
+    if (undo_first) AddCrossing(column, k - 1, !letter.inverse, drawing);
+    AddCrossing(column, k, letter.inverse, drawing);
+    if (!undo_first) AddCrossing(column, k - 1, !letter.inverse, drawing);
+    return;
+  }
   const Word first = letter.inverse ? after : before.Inverse(), last = letter.inverse ? before : after.Inverse();
   for (const Letter side : first.letters()) AddLetter(side, drawing);
-  drawing.insert(drawing.end(), {{start, ground_}, {start, height}, {end, height}, {end, ground_}});
+  AddCrossing(column, k, letter.inverse, drawing);
   for (const Letter side : last.letters()) AddLetter(side, drawing);
 }
 

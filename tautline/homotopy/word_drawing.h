@@ -30,6 +30,7 @@ class WordDrawing {
     std::vector<double> above;  ///< A height between the start of each ray and the next higher one's.
   };
 
+  void AddCrossing(const Column& column, std::size_t k, bool inverse, Polyline& drawing) const;
   void AddLetter(Letter letter, Polyline& drawing) const;
 
   std::map<double, Column> columns_;
