@@ -13,7 +13,7 @@ TautSpace::TautSpace(FreeSpace space)
       corners_(space_, mesh_),
       graph_(mesh_, corners_),
       rays_(space_),
-      tolerance_(std::max(space_.snap, 4 * space_.grid)) {}
+      tolerance_(BoundaryTolerance(space_)) {}
 
 std::optional<Departure> TautSpace::Follow(std::span<const Point> polyline, std::optional<Walk>& walk) const {
   TAUTLINE_CHECK(!polyline.empty());

@@ -204,6 +204,11 @@ Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& o
   return space;
 }
 
+double BoundaryTolerance(const FreeSpace& space) {
+  constexpr double kRounding = 1e-6;  // A printed decimal less than what people write.
+  return std::max(std::min(space.snap, kRounding), 4 * space.grid);
+}
+
 std::vector<std::string> NamesOf(const FreeSpace& space) {
   std::vector<std::string> names;
   for (const Island& island : space.islands) names.push_back(island.name);

@@ -77,6 +77,10 @@ struct FreeSpace {
 /// Growth is never too small, and at most arc_error * clearance too large, beyond that grid.
 [[nodiscard]] Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& options = {});
 
+/// The depth in metres by which a point may lie outside of the free space and still be taken to be on its boundary:
+/// what rounding of input and of printed results can cause, however far apart boundaries are joined.
+double BoundaryTolerance(const FreeSpace& space);
+
 /// The names of the islands, by ObstacleId.
 std::vector<std::string> NamesOf(const FreeSpace& space);
 

@@ -221,7 +221,7 @@ std::vector<std::string> CurveFaults(const FreeSpace& space, const TautPath& pat
   std::vector<std::string> faults;
   const Polyline& points = path.points;
   if (points.empty()) return {"has no points"};
-  const double tolerance = std::max(space.snap, 4 * space.grid);
+  const double tolerance = BoundaryTolerance(space);
   const std::size_t first = has_stub ? 1 : 0;
   for (std::size_t i = first; i + 1 < points.size(); ++i) {
     if (points[i] == points[i + 1]) {
