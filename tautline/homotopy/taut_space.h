@@ -18,8 +18,7 @@ namespace tautline {
 
 /// Where a polyline leaves the free space.
 struct Departure {
-  std::size_t segment =
-      0;  ///< The segment from point `segment` to the next; 0 as well when the first point is outside.
+  std::size_t segment = 0;  ///< By its first point; 0 as well when the first point of all is outside.
   Point at;
 };
 

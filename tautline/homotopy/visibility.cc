@@ -107,9 +107,9 @@ class Expansion {
 /// The first triangle, clockwise, of the free sector at a vertex that holds a triangle.
 TriangleId FirstOfSector(const FreeMesh& mesh, VertexId vertex, TriangleId at) {
   for (;;) {
-    const auto side = static_cast<std::size_t>(Previous(mesh.triangle(at).IndexOf(vertex)));
-    if (mesh.triangle(at).constrained[side]) return at;
-    at = mesh.triangle(at).neighbours[side];
+    const int side = Previous(mesh.triangle(at).IndexOf(vertex));
+    if (mesh.triangle(at).is_constrained(side)) return at;
+    at = mesh.triangle(at).neighbour(side);
   }
 }
 
@@ -118,9 +118,8 @@ void LookFromSector(const FreeMesh& mesh, VertexId vertex, TriangleId first, Exp
   for (TriangleId at = first;;) {
     const int i = mesh.triangle(at).IndexOf(vertex);
     expansion.LookFromVertex(at, i);
-    const auto side = static_cast<std::size_t>(Next(i));
-    if (mesh.triangle(at).constrained[side]) return;
-    at = mesh.triangle(at).neighbours[side];
+    if (mesh.triangle(at).is_constrained(Next(i))) return;
+    at = mesh.triangle(at).neighbour(Next(i));
   }
 }
 
