@@ -21,6 +21,11 @@ class Index {
   constexpr std::size_t index() const { return static_cast<std::size_t>(value_); }
   constexpr bool valid() const { return value_ >= 0; }
 
+  constexpr Index& operator++() {
+    ++value_;
+    return *this;
+  }
+
   friend constexpr auto operator<=>(Index, Index) = default;
 
  private:

@@ -13,27 +13,30 @@ namespace {
 /// Lengths that agree this closely, relative to the larger, are equal for limits and for the order of classes.
 constexpr double kLengthTolerance = 1e-9;
 
+/// By how much the radius of a field grows from attempt to attempt.
+constexpr double kGrowth = 1.25;
+
 /// One taut walk from the start to the head of an edge or leg, as a link to the walk before it.
 struct Stem {
   CornerId corner;  ///< Where it stands.
   Side head = Side::kNone;
+  std::int32_t parent = -1;
+  EdgeRange onward;
   double length = 0;  ///< From the start to the corner.
-  std::int64_t parent = -1;
 };
 
-/// A walk to extend (`stem` valid), or a finished one that ended at the goal from `stem` (-1: straight).
+/// A walk to extend, or a finished one.
 struct Candidate {
-  double total;  ///< The least length of any walk to the goal that it leads to.
-  std::int64_t stem;
+  double total;       ///< The least length of any walk to the goal that it leads to.
+  std::int32_t stem;  ///< -1: straight from the start to the goal.
   bool finished;
 
   friend bool operator>(const Candidate& a, const Candidate& b) { return a.total > b.total; }
 };
 
-/// The sectors into which a path may go on.
-std::vector<Place> StartSectors(const FreeMesh& mesh, const Walk& start) {
-  const Place here{start.at, start.sleeve.back()};
-  return start.is_free_to_turn() ? mesh.Sectors(here) : std::vector<Place>{here};
+bool IsStraight(const TautSpace& space, const Walk& start, Point to) {
+  Walk straight = start;
+  return !WalkStraight(space.mesh(), to, straight);
 }
 
 class ClassSearch {
@@ -45,24 +48,26 @@ class ClassSearch {
         options_(options),
         limit_(options.max_length ? *options.max_length * (1 + kLengthTolerance)
                                   : std::numeric_limits<double>::infinity()),
-        field_(space, to, limit_) {}
+        field_(space, to) {
+    field_.GrowTo(limit_);
+  }
 
   ClassList Run() {
     Start();
     ClassList list;
     const std::int64_t most = options_.max_count.value_or(std::numeric_limits<std::int64_t>::max());
-    std::int64_t expanded = 0;
     while (!queue_.empty() && static_cast<std::int64_t>(list.classes.size()) < most) {
-      if (++expanded > options_.budget) {
+      if (expanded_ >= options_.budget) {
         list.budget_exceeded = true;
         break;
       }
       const Candidate candidate = queue_.top();
       queue_.pop();
       if (candidate.finished) {
+        ++expanded_;
         list.classes.push_back(space_.MakePath(PointsOf(candidate.stem)));
       } else {
-        Extend(candidate.stem);
+        Follow(candidate);
       }
     }
     list.complete = queue_.empty();
@@ -70,88 +75,67 @@ class ClassSearch {
     return list;
   }
 
-  /// Follows the exact distances from the start down to the goal.
-  std::optional<TautPath> Shortest() {
-    Continuation best = Straight();
-    for (const Place& sector : StartSectors(space_.mesh(), start_)) {
-      for (const TautLeg& leg : LegsFrom(space_, sector)) {
-        const double total = leg.length + BestAfter(from_, leg.corner, leg.side).total;
-        if (total < best.total) best = {total, leg.corner, leg.side};
-      }
-    }
-    if (!std::isfinite(best.total)) return std::nullopt;
-    Polyline points{from_};
-    while (best.corner.valid()) {
-      const Point before = points.back();
-      points.push_back(PointAt(best.corner));
-      best = BestAfter(before, best.corner, best.head);
-    }
-    if (points.back() != field_.goal().point) points.push_back(field_.goal().point);
-    return space_.MakePath(std::move(points));
-  }
-
  private:
-  /// Where a shortest walk goes next, and how far it is to the goal that way; straight to the goal without a corner.
-  struct Continuation {
-    double total = std::numeric_limits<double>::infinity();
-    CornerId corner;
-    Side head = Side::kNone;
-  };
+  Point PointAt(CornerId id) const { return space_.corners()[id].point; }
 
-  Continuation Straight() const {
-    Walk straight = start_;
-    if (WalkStraight(space_.mesh(), field_.goal().point, straight)) return {};
-    return {Distance(from_, field_.goal().point), {}, Side::kNone};
+  void Start() {
+    const Point goal = field_.goal().point;
+    if (IsStraight(space_, start_, goal)) Offer({Distance(from_, goal), -1, true});
+    for (const FirstLeg& first : FirstLegsFrom(space_, start_)) {
+      stems_.push_back({first.leg.corner, first.leg.side, -1, first.onward, first.leg.length});
+      if (const auto next = Extend(LastStem())) Offer(*next);
+    }
   }
 
-  Continuation BestAfter(Point before, CornerId corner, Side head) const {
-    Continuation best;
-    if (const auto leg = field_.LastLeg(corner, head, before)) best.total = *leg;
-    const auto out = space_.graph().OutOf(corner);
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      const double total = out[k].length + field_.Beyond(EdgeId(space_.graph().First(corner).index() + k));
-      if (out[k].tail != head || total >= best.total) continue;
-      if (IsTautTurn(before, PointAt(corner), head, PointAt(out[k].to))) best = {total, out[k].to, out[k].head};
+  std::int32_t LastStem() const { return static_cast<std::int32_t>(stems_.size()) - 1; }
+
+  void Offer(const Candidate& candidate) {
+    if (candidate.total <= limit_) queue_.push(candidate);
+  }
+
+  /// Extends a walk along its best way on, and so on, as long as no other candidate is better.
+  void Follow(Candidate candidate) {
+    while (!candidate.finished && expanded_ < options_.budget) {
+      ++expanded_;
+      const auto next = Extend(candidate.stem);
+      if (!next) return;
+      candidate = *next;
+      if (!queue_.empty() && queue_.top().total < candidate.total) break;
+    }
+    queue_.push(candidate);
+  }
+
+  /// Offers all taut continuations of a stem that lead to the goal within the limit, but the best, which it returns.
+  std::optional<Candidate> Extend(std::int32_t position) {
+    const Stem stem = stems_[static_cast<std::size_t>(position)];
+    std::optional<Candidate> best;
+    const auto offer = [&](Candidate candidate) {
+      if (candidate.total > limit_) return;
+      if (!best) {
+        best = candidate;
+        return;
+      }
+      if (candidate.total < best->total) std::swap(*best, candidate);
+      queue_.push(candidate);
+    };
+    if (const auto leg = field_.LastLeg(stem.corner, stem.head, Before(stem))) {
+      offer({stem.length + *leg, position, true});
+    }
+    for (EdgeId id = stem.onward.first; id < stem.onward.last; ++id) {
+      const TautEdge& edge = space_.graph().edge(id);
+      const double length = stem.length + edge.length, total = length + field_.Beyond(id);
+      if (total > limit_ || !std::isfinite(total)) continue;
+      stems_.push_back({edge.to, edge.head, position, space_.graph().Onward(id), length});
+      offer({total, LastStem(), false});
     }
     return best;
   }
 
-  Point PointAt(CornerId id) const { return space_.corners()[id].point; }
-
-  void Start() {
-    if (const Continuation straight = Straight(); std::isfinite(straight.total)) Offer(straight.total, -1, true);
-    for (const Place& sector : StartSectors(space_.mesh(), start_)) {
-      for (const TautLeg& leg : LegsFrom(space_, sector)) {
-        const auto stem = static_cast<std::int64_t>(stems_.size());
-        stems_.push_back({leg.corner, leg.side, leg.length, -1});
-        Extend(stem);
-      }
-    }
+  Point Before(const Stem& stem) const {
+    return stem.parent < 0 ? from_ : PointAt(stems_[static_cast<std::size_t>(stem.parent)].corner);
   }
 
-  void Offer(double total, std::int64_t stem, bool finished) {
-    if (total <= limit_) queue_.push({total, stem, finished});
-  }
-
-  /// Adds all taut continuations of a stem that lead to the goal within the limit.
-  void Extend(std::int64_t position) {
-    const Stem stem = stems_[static_cast<std::size_t>(position)];
-    const Point before = stem.parent < 0 ? from_ : PointAt(stems_[static_cast<std::size_t>(stem.parent)].corner);
-    const Point here = PointAt(stem.corner);
-    if (const auto leg = field_.LastLeg(stem.corner, stem.head, before)) Offer(stem.length + *leg, position, true);
-    const auto out = space_.graph().OutOf(stem.corner);
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      const TautEdge& edge = out[k];
-      const double beyond = field_.Beyond(EdgeId(space_.graph().First(stem.corner).index() + k));
-      const double length = stem.length + edge.length;
-      if (edge.tail != stem.head || length + beyond > limit_ || !std::isfinite(beyond)) continue;
-      if (!IsTautTurn(before, here, stem.head, PointAt(edge.to))) continue;
-      stems_.push_back({edge.to, edge.head, length, position});
-      Offer(length + beyond, static_cast<std::int64_t>(stems_.size()) - 1, false);
-    }
-  }
-
-  Polyline PointsOf(std::int64_t stem) const {
+  Polyline PointsOf(std::int32_t stem) const {
     Polyline points{field_.goal().point};
     for (; stem >= 0; stem = stems_[static_cast<std::size_t>(stem)].parent) {
       points.push_back(PointAt(stems_[static_cast<std::size_t>(stem)].corner));
@@ -180,7 +164,78 @@ class ClassSearch {
   double limit_;
   GoalField field_;
   std::vector<Stem> stems_;
+  std::int64_t expanded_ = 0;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
+};
+
+/// The shortest path that is not straight: along the exact distances, down to the goal.
+class ShortestDescent {
+ public:
+  ShortestDescent(const TautSpace& space, const Walk& start, const GoalDistances& field)
+      : space_(space), field_(field), from_(start.at), legs_(FirstLegsFrom(space, start)) {}
+
+  std::optional<Polyline> Run() {
+    Step step = BestStart();
+    if (!std::isfinite(step.total)) return std::nullopt;
+    Polyline points{from_};
+    while (step.corner.valid()) {
+      const Point before = points.back();
+      points.push_back(PointAt(step.corner));
+      step = BestAfter(before, step);
+    }
+    points.push_back(field_->goal().point);
+    return points;
+  }
+
+ private:
+  /// To which corner a walk goes next, and how far it is to the goal that way; straight to the goal without a corner.
+  struct Step {
+    double total = std::numeric_limits<double>::infinity();
+    CornerId corner;
+    Side head = Side::kNone;
+    EdgeRange onward;
+  };
+
+  Point PointAt(CornerId id) const { return space_.corners()[id].point; }
+
+  /// Grows the field until no start that it does not know could be better.
+  Step BestStart() const {
+    double shortest_leg = std::numeric_limits<double>::infinity();
+    for (const FirstLeg& first : legs_) shortest_leg = std::min(shortest_leg, first.leg.length);
+    double radius = Distance(from_, field_->goal().point) - shortest_leg;
+    for (;;) {
+      field_.GrowTo(radius);
+      const Step best = BestKnownStart();
+      if (field_->complete() || best.total <= shortest_leg + field_->radius()) return best;
+      radius = std::isfinite(best.total) ? best.total : kGrowth * std::max(radius, shortest_leg);
+    }
+  }
+
+  Step BestKnownStart() const {
+    Step best;
+    for (const auto& [leg, onward] : legs_) {
+      const Step step{leg.length, leg.corner, leg.side, onward};
+      const double total = leg.length + BestAfter(from_, step).total;
+      if (total < best.total) best = {total, leg.corner, leg.side, onward};
+    }
+    return best;
+  }
+
+  Step BestAfter(Point before, const Step& at) const {
+    Step best;
+    if (const auto leg = field_->LastLeg(at.corner, at.head, before)) best.total = *leg;
+    for (EdgeId id = at.onward.first; id < at.onward.last; ++id) {
+      const TautEdge& edge = space_.graph().edge(id);
+      const double total = edge.length + field_->Beyond(id);
+      if (total < best.total) best = {total, edge.to, edge.head, space_.graph().Onward(id)};
+    }
+    return best;
+  }
+
+  const TautSpace& space_;
+  const GoalDistances& field_;
+  Point from_;
+  std::vector<FirstLeg> legs_;
 };
 
 }  // namespace
@@ -195,8 +250,10 @@ ClassList FindClassesOnward(const TautSpace& space, const Walk& walk, Place to, 
   return ClassSearch(space, walk, to, options).Run();
 }
 
-std::optional<TautPath> FindShortestOnward(const TautSpace& space, const Walk& walk, Place to) {
-  return ClassSearch(space, walk, to, {}).Shortest();
+std::optional<Polyline> FindShortestOnward(const TautSpace& space, const Walk& walk, const GoalDistances& field) {
+  const Point goal = field->goal().point;
+  if (IsStraight(space, walk, goal)) return walk.at == goal ? Polyline{goal} : Polyline{walk.at, goal};
+  return ShortestDescent(space, walk, field).Run();
 }
 
 }  // namespace tautline

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "tautline/homotopy/goal_field.h"
 #include "tautline/homotopy/taut_path.h"
 #include "tautline/homotopy/taut_space.h"
 
@@ -34,9 +35,9 @@ ClassList FindClasses(const TautSpace& space, Point from, Point to, const ClassO
 /// the sector that the walk came in by, and there may be none.
 ClassList FindClassesOnward(const TautSpace& space, const Walk& walk, Place to, const ClassOptions& options = {});
 
-/// The shortest of those paths, without listing any others: nothing when the walk and the place are not connected. One
-/// backward Dijkstra, then O(degree) per corner of the path, however many classes tie.
-std::optional<TautPath> FindShortestOnward(const TautSpace& space, const Walk& walk, Place to);
+/// The shortest of those paths to the field's goal, however many classes tie: nothing when the walk and the goal are
+/// not connected. Grows the field as far as it must, then O(degree) per corner of the path.
+std::optional<Polyline> FindShortestOnward(const TautSpace& space, const Walk& walk, const GoalDistances& field);
 
 }  // namespace tautline
 

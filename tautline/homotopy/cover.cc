@@ -1,5 +1,7 @@
 #include "tautline/homotopy/cover.h"
 
+#include <algorithm>
+
 #include "tautline/base/check.h"
 #include "tautline/geometry/predicates.h"
 
@@ -125,15 +127,42 @@ Sleeve Sleeve::Reversed() const {
   return reversed;
 }
 
+SleeveTree::NodeId SleeveTree::Plant(const Sleeve& sleeve) {
+  NodeId last;
+  for (const TriangleId triangle : sleeve.triangles()) {
+    nodes_.push_back({triangle, last});
+    last = NodeId(nodes_.size() - 1);
+  }
+  return last;
+}
+
+SleeveTree::NodeId SleeveTree::Step(NodeId id, TriangleId next) {
+  const Node& node = nodes_[id.index()];
+  if (node.triangle == next) return id;
+  if (node.parent.valid() && last(node.parent) == next) return node.parent;
+  nodes_.push_back({next, id});
+  return NodeId(nodes_.size() - 1);
+}
+
+void SleeveTree::Write(NodeId id, std::vector<TriangleId>& triangles) const {
+  triangles.clear();
+  for (; id.valid(); id = nodes_[id.index()].parent) triangles.push_back(last(id));
+  std::reverse(triangles.begin(), triangles.end());
+}
+
 std::optional<Point> WalkStraight(const FreeMesh& mesh, Point to, Walk& walk) {
   return StraightWalk(mesh, to, walk).Run();
 }
 
 std::optional<Point> WalkNearly(const FreeMesh& mesh, Point to, double tolerance, Walk& walk) {
-  Walk straight = walk;
+  // Tried on a walk of its own, so that a failure leaves no trace and a success costs only what it crosses.
+  Walk straight(Place{walk.at, walk.sleeve.back()});
+  straight.rooted = !walk.is_free_to_turn();
   const auto blocked = WalkStraight(mesh, to, straight);
   if (!blocked) {
-    walk = std::move(straight);
+    if (walk.is_free_to_turn()) walk.sleeve = Sleeve(straight.sleeve.front());
+    for (const TriangleId step : straight.sleeve.triangles()) walk.sleeve.Step(step);
+    walk.at = to;
     return std::nullopt;
   }
   for (const VertexId vertex : mesh.VerticesNear(walk.at, to, tolerance)) {

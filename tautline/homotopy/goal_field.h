@@ -2,9 +2,14 @@
 #ifndef TAUTLINE_HOMOTOPY_GOAL_FIELD_H_
 #define TAUTLINE_HOMOTOPY_GOAL_FIELD_H_
 
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
+#include <queue>
 #include <vector>
 
+#include "tautline/base/check.h"
 #include "tautline/homotopy/taut_space.h"
 
 namespace tautline {
@@ -19,17 +24,37 @@ struct TautLeg {
 /// The legs from a place, within its sector, to all corners that it sees along a tangent.
 std::vector<TautLeg> LegsFrom(const TautSpace& space, Place place);
 
-/// Exact taut distances to one goal.
+/// A first leg of a walk with the taut ways on from its corner.
+struct FirstLeg {
+  TautLeg leg;
+  EdgeRange onward;
+};
+
+/// The first legs of paths that go on from where a walk stands: on a vertex where blocked ground touches they leave
+/// within the sector that the walk came in by, or, when it has not moved yet and is not rooted, by any.
+std::vector<FirstLeg> FirstLegsFrom(const TautSpace& space, const Walk& walk);
+
+/// Exact taut distances to one goal, found outwards from the goal as far as they are asked for. Once complete, it is
+/// immutable and serves many starts in several threads.
 class GoalField {
  public:
-  /// One Dijkstra over the directed edges, backwards from the goal, which may be reached through any sector. `limit`:
-  /// distances beyond it are infinite.
-  GoalField(const TautSpace& space, Place goal, double limit);
+  /// Knows the legs to the goal, which may be reached through any sector, and no distance yet.
+  GoalField(const TautSpace& space, Place goal);
 
-  Place goal() const { return goal_; }
+  /// Finds all distances up to `radius` metres and perhaps some beyond. One Dijkstra over the directed edges backwards,
+  /// continued from call to call; each edge is looked at once and no turn is tested: O(e log e) for e edges in all.
+  void GrowTo(double radius);
+
+  /// Distances up to here are known: Length(e) + Beyond(e) of every edge e with a sum up to this is final, and no
+  /// unknown one is smaller.
+  double radius() const { return radius_; }
+  bool complete() const { return radius_ == std::numeric_limits<double>::infinity(); }
+
+  const TautSpace& space() const { return *space_; }
+  const Place& goal() const { return goal_; }
 
   /// The least length from the head of the edge to the goal over walks that go on from the edge with taut turns;
-  /// infinite when there is none within the limit.
+  /// infinite when it is not known yet or, in a complete field, when there is none.
   double Beyond(EdgeId edge) const { return beyond_[edge.index()]; }
 
   /// The length of the last leg from the corner to the goal when a walk may end with it after touching the corner
@@ -37,10 +62,48 @@ class GoalField {
   std::optional<double> LastLeg(CornerId corner, Side head, Point from) const;
 
  private:
+  /// What a distance was found for: an edge with the way on from its head, or, counted from -1 down, a leg.
+  struct Entry {
+    double distance;
+    std::int32_t source;
+
+    friend bool operator>(const Entry& a, const Entry& b) { return a.distance > b.distance; }
+  };
+
+  void Settle(const Entry& entry);
+  template <class CanTurn>
+  void ReachInto(StanceId stance, double distance, CanTurn can_turn);
+  bool CanGain(EdgeId edge) const;
+
   const TautSpace* space_;
   Place goal_;
+  double radius_ = 0;
   std::vector<double> beyond_;
-  std::vector<TautLeg> leg_;  ///< By corner; side kNone where the goal is not in tangent sight.
+  std::vector<TautLeg> legs_;
+  std::vector<std::int32_t> leg_at_;  ///< By corner; -1 where the goal is not in tangent sight.
+  /// By stance: the end of those edges that leave the opposite stance whose reverses have no distance yet.
+  std::vector<EdgeId> open_end_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+};
+
+/// A goal field as a search uses it: its own, grown as far as the search asks, or a complete one that others share.
+class GoalDistances {
+ public:
+  /// Grows `own`, which must outlive this.
+  explicit GoalDistances(GoalField& own) : field_(&own), own_(&own) {}
+  /// Requires that `shared` is complete and outlives this.
+  explicit GoalDistances(const GoalField& shared) : field_(&shared) { TAUTLINE_CHECK(shared.complete()); }
+
+  const GoalField& operator*() const { return *field_; }
+  const GoalField* operator->() const { return field_; }
+
+  void GrowTo(double radius) const {
+    if (own_ != nullptr) own_->GrowTo(radius);
+  }
+
+ private:
+  const GoalField* field_;
+  GoalField* own_ = nullptr;
 };
 
 }  // namespace tautline

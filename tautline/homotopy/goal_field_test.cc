@@ -22,11 +22,9 @@ INSTANTIATE_TEST_SUITE_P(Families, GoalFieldRandom, testing::Bool(),
 double BestWayOn(const TautSpace& space, const GoalField& field, const TautEdge& edge) {
   const Point from = space.corners()[edge.from].point, here = space.corners()[edge.to].point;
   double least = field.LastLeg(edge.to, edge.head, from).value_or(std::numeric_limits<double>::infinity());
-  const auto out = space.graph().OutOf(edge.to);
-  for (std::size_t k = 0; k < out.size(); ++k) {
-    const bool taut = out[k].tail == edge.head && IsTautTurn(from, here, edge.head, space.corners()[out[k].to].point);
-    if (!taut) continue;
-    least = std::min(least, out[k].length + field.Beyond(EdgeId(space.graph().First(edge.to).index() + k)));
+  for (const TautEdge& out : space.graph().OutOf(edge.to)) {
+    const bool taut = out.tail == edge.head && IsTautTurn(from, here, edge.head, space.corners()[out.to].point);
+    if (taut) least = std::min(least, out.length + field.Beyond(space.graph().edge(out.reverse).reverse));
   }
   return least;
 }
@@ -38,9 +36,12 @@ TEST_P(GoalFieldRandom, SolvesTheEquationOfShortestWays) {
     const RandomScene scene = MakeRandomScene(rng, GetParam());
     const TautSpace space(scene.space);
     const Place goal = space.Locate(RandomFreePoint(rng, scene)).value();
-    const GoalField field(space, goal, std::numeric_limits<double>::infinity());
+    GoalField field(space, goal);
+    field.GrowTo(std::numeric_limits<double>::infinity());
     const double limit = rng.Uniform(0, 20);
-    const GoalField limited(space, goal, limit);
+    GoalField limited(space, goal);
+    limited.GrowTo(limit / 2);
+    limited.GrowTo(limit);
     for (std::size_t e = 0; e < space.graph().edges().size(); ++e) {
       const double beyond = field.Beyond(EdgeId(e)), way_on = BestWayOn(space, field, space.graph().edges()[e]);
       // Edge lengths are positive, so the equation has one solution only.
@@ -61,7 +62,7 @@ TEST_P(GoalFieldRandom, HasTheLegsThatItsGoalSees) {
     const RandomScene scene = MakeRandomScene(rng, GetParam());
     const TautSpace space(scene.space);
     const Place goal = space.Locate(RandomFreePoint(rng, scene)).value();
-    const GoalField field(space, goal, std::numeric_limits<double>::infinity());
+    const GoalField field(space, goal);
     const auto legs = LegsFrom(space, goal);
     for (std::size_t c = 0; c < space.corners().size(); ++c) {
       const Corner& corner = space.corners().all()[c];

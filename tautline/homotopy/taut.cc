@@ -70,12 +70,15 @@ std::vector<TautPoint> DropStraight(const std::vector<TautPoint>& points) {
 }  // namespace
 
 TautCurve PullTaut(const FreeMesh& mesh, const Walk& walk) {
-  const auto triangles = walk.sleeve.triangles();
-  Funnel funnel({walk.from, {}}, triangles.size());
+  return PullTaut(mesh, walk.from, walk.sleeve.triangles(), walk.at);
+}
+
+TautCurve PullTaut(const FreeMesh& mesh, Point from, std::span<const TriangleId> sleeve, Point to) {
+  Funnel funnel({from, {}}, sleeve.size());
   VertexId left, right;
-  for (std::size_t k = 0; k + 1 < triangles.size(); ++k) {
-    const Triangle& here = mesh.triangle(triangles[k]);
-    const int i = here.IndexOf(triangles[k + 1]);
+  for (std::size_t k = 0; k + 1 < sleeve.size(); ++k) {
+    const Triangle& here = mesh.triangle(sleeve[k]);
+    const int i = here.IndexOf(sleeve[k + 1]);
     // Leaving across the side from Next(i) to Previous(i) with the triangle on its left: Next(i) is on the right.
     const VertexId new_right = here.vertex(Next(i));
     const VertexId new_left = here.vertex(Previous(i));
@@ -85,7 +88,7 @@ TautCurve PullTaut(const FreeMesh& mesh, const Walk& walk) {
     left = new_left;
   }
   TautCurve curve;
-  curve.points = DropStraight(funnel.Finish({walk.at, {}}));
+  curve.points = DropStraight(funnel.Finish({to, {}}));
   for (std::size_t i = 1; i < curve.points.size(); ++i) {
     curve.length += Distance(curve.points[i - 1].point, curve.points[i].point);
   }

@@ -19,30 +19,71 @@ struct TautEdge {
   double length = 0;  ///< Metres.
   Side tail = Side::kNone;
   Side head = Side::kNone;
+  EdgeId reverse;  ///< The same edge in the other direction.
+  EdgeId onward;   ///< Where the taut ways on from its head begin; see VisibilityGraph::Onward.
 };
 
+/// Consecutive edges: all from `first` up to, not including, `last`.
+struct EdgeRange {
+  EdgeId first;
+  EdgeId last;
+
+  bool empty() const { return first >= last; }
+  std::size_t size() const { return last.index() - first.index(); }
+};
+
+/// Where a taut walk stands: on a corner with its obstacle on one side. The edges that leave a corner with its obstacle
+/// on one side have one stance for a tail, and lie together.
+using StanceId = Index<struct StanceTag>;
+
+constexpr StanceId StanceOf(CornerId corner, Side side) {
+  return StanceId(2 * corner.value() + (side == Side::kLeft ? 0 : 1));
+}
+/// The same corner, with the obstacle on the other side.
+constexpr StanceId Opposite(StanceId stance) { return StanceId(stance.value() ^ 1); }
+
 /// All directed bitangents; a taut walk is a sequence of them with a taut turn at each corner between.
+///
+/// The edges that leave a stance are sorted by direction, turning towards the obstacle. So the taut ways on from an
+/// edge are those from some edge to the end of the stance at its head: no turn has to be tested to walk on.
 class VisibilityGraph {
  public:
-  /// O(triangles seen from all corners).
+  /// O(triangles seen from all corners + e log e) for e edges.
   VisibilityGraph(const FreeMesh& mesh, const Corners& corners);
 
   std::span<const TautEdge> edges() const { return edges_; }
   const TautEdge& edge(EdgeId id) const { return edges_[id.index()]; }
 
-  /// The edges that leave a corner are first(corner) .. first(corner) + OutOf(corner).size() - 1.
+  /// The edges that leave a corner.
   std::span<const TautEdge> OutOf(CornerId corner) const {
-    return std::span(edges_).subspan(first_[corner.index()], first_[corner.index() + 1] - first_[corner.index()]);
+    const EdgeId first = first_[StanceOf(corner, Side::kLeft).index()];
+    return std::span(edges_).subspan(first.index(), first_[2 * corner.index() + 2].index() - first.index());
   }
-  EdgeId First(CornerId corner) const { return EdgeId(first_[corner.index()]); }
 
-  /// The same edge in the other direction.
-  EdgeId Reverse(EdgeId id) const { return reverse_[id.index()]; }
+  std::size_t stances() const { return first_.size() - 1; }
+  /// The edges that leave a stance, sorted by direction, turning towards the obstacle.
+  EdgeRange OutOf(StanceId stance) const { return {first_[stance.index()], first_[stance.index() + 1]}; }
+
+  /// The edges with which a taut walk can go on after `id`. O(1).
+  EdgeRange Onward(EdgeId id) const {
+    const TautEdge& e = edge(id);
+    return {e.onward, first_[StanceOf(e.to, e.head).index() + 1]};
+  }
+
+  /// Onward(edge(id).reverse).first, kept together for edges of one stance. It never grows along a stance.
+  EdgeId OnwardOfReverse(EdgeId id) const { return onward_of_reverse_[id.index()]; }
+
+  /// The edges with which a taut walk can go on that came from the point `from` to the corner, with the corner's
+  /// obstacle on side `head`. Requires that this leg is tangent there. O(log degree).
+  EdgeRange Onward(Point from, CornerId corner, Side head, const Corners& corners) const;
 
  private:
+  void SortStances(const Corners& corners);
+  void FindOnward(const Corners& corners);
+
   std::vector<TautEdge> edges_;
-  std::vector<std::size_t> first_;
-  std::vector<EdgeId> reverse_;
+  std::vector<EdgeId> first_;  ///< By stance, and the end.
+  std::vector<EdgeId> onward_of_reverse_;
 };
 
 /// Whether a curve that comes from `from`, touches `corner` with its obstacle on side `head`, and goes on to `to` bends

@@ -1,6 +1,9 @@
 #include "tautline/homotopy/visibility_graph.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <vector>
 
 #include "tautline/base/rng.h"
 #include "tautline/base/test_scale.h"
@@ -32,8 +35,8 @@ TEST_P(VisibilityGraphRandom, IsTheSameBackwards) {
     const VisibilityGraph& graph = space.graph();
     for (std::size_t e = 0; e < graph.edges().size(); ++e) {
       const EdgeId id(e);
-      const TautEdge &edge = graph.edge(id), &back = graph.edge(graph.Reverse(id));
-      ASSERT_EQ(graph.Reverse(graph.Reverse(id)), id);
+      const TautEdge &edge = graph.edge(id), &back = graph.edge(edge.reverse);
+      ASSERT_EQ(back.reverse, id);
       ASSERT_EQ(back.from, edge.to);
       ASSERT_EQ(back.to, edge.from);
       ASSERT_EQ(back.length, edge.length);
@@ -54,15 +57,51 @@ TEST_P(VisibilityGraphRandom, HoldsWhatEachCornerSees) {
       const auto seen = SeeFromCorner(space.mesh(), space.corners(), corner);
       const auto out = space.graph().OutOf(corner);
       ASSERT_EQ(out.size(), seen.size());
-      ASSERT_EQ(space.graph().First(corner).index(), edges);
+      ASSERT_EQ(space.graph().OutOf(StanceOf(corner, Side::kLeft)).first.index(), edges);
       edges += out.size();
-      for (std::size_t k = 0; k < out.size(); ++k) {
-        ASSERT_EQ(out[k].from, corner);
-        ASSERT_EQ((Sighting{out[k].to, out[k].tail, out[k].head}), seen[k]);
-        ASSERT_EQ(out[k].length, Distance(space.corners()[corner].point, space.corners()[out[k].to].point));
+      std::vector<Sighting> held;
+      for (const TautEdge& edge : out) {
+        ASSERT_EQ(edge.from, corner);
+        ASSERT_EQ(edge.length, Distance(space.corners()[corner].point, space.corners()[edge.to].point));
+        held.push_back({edge.to, edge.tail, edge.head});
       }
+      ASSERT_THAT(held, testing::UnorderedElementsAreArray(seen));
     }
     ASSERT_EQ(space.graph().edges().size(), edges);
+  }
+}
+
+/// Every edge into a corner, and legs from elsewhere, go on with exactly the taut turns.
+TEST_P(VisibilityGraphRandom, GoesOnWithTheTautTurns) {
+  for (std::int64_t seed = 0; seed < ScaledTestCount(300); ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(static_cast<std::uint64_t>(seed));
+    const RandomScene scene = MakeRandomScene(rng, GetParam());
+    const TautSpace space(scene.space);
+    const VisibilityGraph& graph = space.graph();
+    const auto expect_taut_turns = [&](Point from, CornerId corner, Side head, EdgeRange onward) {
+      for (const Side tail : {Side::kLeft, Side::kRight}) {
+        const EdgeRange out = graph.OutOf(StanceOf(corner, tail));
+        for (EdgeId id = out.first; id < out.last; ++id) {
+          const TautEdge& edge = graph.edge(id);
+          const bool taut =
+              tail == head && IsTautTurn(from, space.corners()[corner].point, head, space.corners()[edge.to].point);
+          EXPECT_EQ(edge.tail, tail);
+          EXPECT_EQ(onward.first <= id && id < onward.last, taut);
+        }
+      }
+    };
+    for (std::size_t e = 0; e < graph.edges().size(); ++e) {
+      const TautEdge& edge = graph.edges()[e];
+      expect_taut_turns(space.corners()[edge.from].point, edge.to, edge.head, graph.Onward(EdgeId(e)));
+      ASSERT_EQ(graph.OnwardOfReverse(edge.reverse), graph.Onward(EdgeId(e)).first);
+    }
+    const Place place = space.Locate(RandomFreePoint(rng, scene)).value();
+    for (const Sighting& leg : SeeFromPoint(space.mesh(), space.corners(), place)) {
+      expect_taut_turns(place.point, leg.corner, leg.head,
+                        graph.Onward(place.point, leg.corner, leg.head, space.corners()));
+    }
+    ASSERT_FALSE(HasFailure());
   }
 }
 

@@ -12,33 +12,54 @@
 namespace tautline {
 namespace {
 
-/// A taut path from the robot to a corner. Until it shares its last edge with the tether it carries the tether's walk.
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// By how much the radius of the field grows from attempt to attempt: this factor and this share of the tether.
+constexpr double kGrowth = 1.2;
+constexpr double kLeastGrowth = 0.02;
+
+using NodeId = SleeveTree::NodeId;
+
+/// A taut path from the robot to a corner. Until it shares its last edge with the tether it carries the tether's class.
 struct Label {
   CornerId corner;
   Side head = Side::kNone;
   EdgeId edge;        ///< The last edge; invalid for the first leg from the robot.
+  EdgeRange onward;   ///< The taut ways on.
   double path = 0;    ///< Metres from the robot.
   double tether = 0;  ///< Metres from the base; known once settled.
-  std::int64_t parent = -1;
-  std::optional<Walk> walk;  ///< Of the tether; empty once merged.
+  std::int32_t parent = -1;
+  NodeId tether_class;  ///< The sleeve of the tether; invalid once merged.
+
+  bool merged() const { return !tether_class.valid(); }
 };
 
+/// What to do next with a label.
 struct Candidate {
-  double total;  ///< The least length of any path to the goal through this label.
-  std::int64_t label;
-  bool finished;  ///< The label's path goes straight on to the goal (-1: straight from the robot).
+  enum class Kind : std::uint8_t {
+    kSettle,  ///< Find its tether, then extend it.
+    kExtend,  ///< Extend it by the ways on that the field did not know when it had radius `known`.
+    kFinish,  ///< Go straight on to the goal (label -1: straight from the robot).
+  };
+
+  double total;  ///< The least length of any path to the goal that comes of it.
+  double known;
+  std::int32_t label;
+  Kind kind;
 
   friend bool operator>(const Candidate& a, const Candidate& b) { return a.total > b.total; }
 };
 
 class ClassChoiceSearch {
  public:
-  ClassChoiceSearch(const TautSpace& space, const Walk& laid, const GoalField& field, const ClassChoiceOptions& options)
+  ClassChoiceSearch(const TautSpace& space, const Walk& laid, const GoalDistances& field,
+                    const ClassChoiceOptions& options)
       : space_(space),
         laid_(laid),
         field_(field),
         options_(options),
-        least_tether_(space.graph().edges().size(), std::numeric_limits<double>::infinity()) {}
+        sleeves_(laid.sleeve),
+        least_tether_(space.graph().edges().size(), kInfinity) {}
 
   ClassChoice Run() {
     Start();
@@ -50,108 +71,143 @@ class ClassChoiceSearch {
       }
       const Candidate candidate = queue_.top();
       queue_.pop();
-      if (candidate.finished) {
+      if (candidate.kind == Candidate::Kind::kFinish) {
         if (GoalTether(candidate) > options_.max_tether) continue;
         choice.path = PointsOf(candidate.label);
         break;
       }
-      if (Settle(candidate.label)) Extend(candidate.label);
+      if (candidate.kind == Candidate::Kind::kExtend) {
+        GrowField(candidate.known);
+        ExtendBeyond(candidate.known, candidate.label);
+      } else if (Settle(candidate.label)) {
+        Extend(candidate.label);
+      }
     }
     return choice;
   }
 
  private:
-  Label& At(std::int64_t label) { return labels_[static_cast<std::size_t>(label)]; }
+  const Label& At(std::int32_t label) const { return labels_[static_cast<std::size_t>(label)]; }
   Point PointAt(CornerId id) const { return space_.corners()[id].point; }
-  Point Before(const Label& label) { return label.parent < 0 ? laid_.at : PointAt(At(label.parent).corner); }
-  const Walk& WalkBefore(const Label& label) { return label.parent < 0 ? laid_ : *At(label.parent).walk; }
+  Point Before(const Label& label) const { return label.parent < 0 ? laid_.at : PointAt(At(label.parent).corner); }
 
   void Start() {
     Walk straight = laid_;
-    if (!WalkStraight(space_.mesh(), field_.goal().point, straight)) {
-      queue_.push({Distance(laid_.at, field_.goal().point), -1, true});
+    const Point goal = field_->goal().point;
+    if (!WalkStraight(space_.mesh(), goal, straight)) {
+      queue_.push({Distance(laid_.at, goal), 0, -1, Candidate::Kind::kFinish});
     }
-    const Place robot{laid_.at, laid_.sleeve.back()};
-    for (const TautLeg& leg : LegsFrom(space_, robot)) {
+    for (const FirstLeg& first : FirstLegsFrom(space_, laid_)) {
       // A first leg has no directed edge, hence no exact distance beyond it; zero is a lower bound.
-      Push({leg.corner, leg.side, {}, leg.length, 0, -1, {}}, leg.length);
+      Push({first.leg.corner, first.leg.side, {}, first.onward, first.leg.length, 0, -1, {}}, first.leg.length);
     }
   }
 
-  void Push(Label label, double total) {
-    labels_.push_back(std::move(label));
-    queue_.push({total, static_cast<std::int64_t>(labels_.size()) - 1, false});
+  void GrowField(double known) {
+    const double radius = kGrowth * known + kLeastGrowth * options_.max_tether;
+    field_.GrowTo(radius > known ? radius : kInfinity);
+  }
+
+  void Push(const Label& label, double total) {
+    labels_.push_back(label);
+    queue_.push({total, 0, static_cast<std::int32_t>(labels_.size()) - 1, Candidate::Kind::kSettle});
   }
 
   /// Finds the label's tether; false when it is too long or no better than that of a shorter path over the same edge.
-  bool Settle(std::int64_t position) {
-    Label& label = At(position);
-    const bool merged = label.parent >= 0 && !At(label.parent).walk;
-    if (merged) {
+  bool Settle(std::int32_t position) {
+    Label& label = labels_[static_cast<std::size_t>(position)];
+    if (label.parent >= 0 && At(label.parent).merged()) {
       label.tether = At(label.parent).tether + space_.graph().edge(label.edge).length;
     } else {
       PullTether(label);
     }
     if (label.tether > options_.max_tether) return false;
-    if (label.walk || !label.edge.valid()) return true;
-    if (label.tether + field_.Beyond(label.edge) > options_.max_tether) return false;
+    if (!label.merged() || !label.edge.valid()) return true;
+    if (label.tether + field_->Beyond(label.edge) > options_.max_tether) return false;
     double& least = least_tether_[label.edge.index()];
     if (label.tether >= least) return false;
     least = label.tether;
     return true;
   }
 
-  /// Carries the tether along the label's last leg and pulls it taut; drops the walk when both now end alike.
-  void PullTether(Label& label) {
-    Walk walk = WalkBefore(label);
-    TAUTLINE_CHECK(!WalkStraight(space_.mesh(), PointAt(label.corner), walk));
-    const TautCurve tether = PullTaut(space_.mesh(), walk);
-    label.tether = tether.length;
-    const std::size_t n = tether.points.size();
-    if (n >= 2 && tether.points[n - 2].point == Before(label)) return;
-    label.walk = std::move(walk);
+  /// The class of the tether when the robot goes straight on from the end of a label (-1: from where it stands).
+  NodeId TetherClass(std::int32_t from, Point to) {
+    const NodeId before = from < 0 ? sleeves_.trunk() : At(from).tether_class;
+    Walk walk(Place{from < 0 ? laid_.at : PointAt(At(from).corner), sleeves_.last(before)});
+    walk.rooted = from >= 0 || !laid_.is_free_to_turn();
+    TAUTLINE_CHECK(!WalkStraight(space_.mesh(), to, walk));
+    if (!walk.rooted && walk.sleeve.front() != sleeves_.last(before)) return sleeves_.Plant(walk.sleeve);
+    NodeId node = before;
+    for (const TriangleId step : walk.sleeve.triangles()) node = sleeves_.Step(node, step);
+    return node;
   }
 
-  void Extend(std::int64_t position) {
-    const Point before = Before(At(position));
-    const CornerId corner = At(position).corner;
-    const Side head = At(position).head;
-    const double path = At(position).path;
-    if (const auto leg = field_.LastLeg(corner, head, before)) queue_.push({path + *leg, position, true});
-    const auto out = space_.graph().OutOf(corner);
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      const EdgeId edge(space_.graph().First(corner).index() + k);
-      const double beyond = field_.Beyond(edge);
-      if (out[k].tail != head || !std::isfinite(beyond)) continue;
-      if (!IsTautTurn(before, PointAt(corner), head, PointAt(out[k].to))) continue;
-      const double longer = path + out[k].length;
-      Push({out[k].to, out[k].head, edge, longer, 0, position, {}}, longer + beyond);
+  TautCurve Tether(NodeId tether_class, Point to) {
+    sleeves_.Write(tether_class, sleeve_);
+    return PullTaut(space_.mesh(), laid_.from, sleeve_, to);
+  }
+
+  /// Carries the tether along the label's last leg and pulls it taut; forgets its class when both now end alike.
+  void PullTether(Label& label) {
+    label.tether_class = TetherClass(label.parent, PointAt(label.corner));
+    const TautCurve tether = Tether(label.tether_class, PointAt(label.corner));
+    label.tether = tether.length;
+    const std::size_t n = tether.points.size();
+    if (n >= 2 && tether.points[n - 2].point == Before(label)) label.tether_class = {};
+  }
+
+  void Extend(std::int32_t position) {
+    const Label label = At(position);
+    if (const auto leg = field_->LastLeg(label.corner, label.head, Before(label))) {
+      queue_.push({label.path + *leg, 0, position, Candidate::Kind::kFinish});
     }
+    ExtendBeyond(-1, position);
+  }
+
+  /// Adds the ways on whose distances the field did not know at radius `known`, and itself again for those that it
+  /// does not know yet.
+  void ExtendBeyond(double known, std::int32_t position) {
+    const Label label = At(position);
+    double shortest_unknown = kInfinity;
+    for (EdgeId id = label.onward.first; id < label.onward.last; ++id) {
+      const TautEdge& edge = space_.graph().edge(id);
+      const double beyond = field_->Beyond(id);
+      if (beyond <= known) continue;
+      if (std::isinf(beyond)) {
+        shortest_unknown = std::min(shortest_unknown, edge.length);
+        continue;
+      }
+      const double longer = label.path + edge.length;
+      Push({edge.to, edge.head, id, space_.graph().Onward(id), longer, 0, position, {}}, longer + beyond);
+    }
+    if (field_->complete() || std::isinf(shortest_unknown)) return;
+    const double radius = field_->radius();
+    queue_.push({label.path + shortest_unknown + radius, radius, position, Candidate::Kind::kExtend});
   }
 
   double GoalTether(const Candidate& candidate) {
-    const Point goal = field_.goal().point;
-    if (candidate.label >= 0 && !At(candidate.label).walk) {
+    const Point goal = field_->goal().point;
+    if (candidate.label >= 0 && At(candidate.label).merged()) {
       const Label& label = At(candidate.label);
       return label.tether + Distance(PointAt(label.corner), goal);
     }
-    Walk walk = candidate.label < 0 ? laid_ : *At(candidate.label).walk;
-    TAUTLINE_CHECK(!WalkStraight(space_.mesh(), goal, walk));
-    return PullTaut(space_.mesh(), walk).length;
+    return Tether(TetherClass(candidate.label, goal), goal).length;
   }
 
-  Polyline PointsOf(std::int64_t label) {
-    Polyline points{field_.goal().point};
+  Polyline PointsOf(std::int32_t label) const {
+    Polyline points{field_->goal().point};
     for (; label >= 0; label = At(label).parent) points.push_back(PointAt(At(label).corner));
-    if (points.size() > 1 || laid_.at != field_.goal().point) points.push_back(laid_.at);
+    if (points.size() > 1 || laid_.at != field_->goal().point) points.push_back(laid_.at);
     std::reverse(points.begin(), points.end());
     return points;
   }
 
   const TautSpace& space_;
   const Walk& laid_;
-  const GoalField& field_;
+  const GoalDistances& field_;
   ClassChoiceOptions options_;
+  SleeveTree sleeves_;
+  std::vector<TriangleId> sleeve_;    ///< Scratch.
   std::vector<double> least_tether_;  ///< By edge, over settled merged labels.
   std::vector<Label> labels_;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
@@ -159,7 +215,7 @@ class ClassChoiceSearch {
 
 }  // namespace
 
-ClassChoice ChooseClass(const TautSpace& space, const Walk& laid, const GoalField& field,
+ClassChoice ChooseClass(const TautSpace& space, const Walk& laid, const GoalDistances& field,
                         const ClassChoiceOptions& options) {
   return ClassChoiceSearch(space, laid, field, options).Run();
 }

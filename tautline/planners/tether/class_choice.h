@@ -18,7 +18,7 @@ struct ClassChoiceOptions {
 /// What the search found. Without a path and without budget_exceeded, none exists: the search was exhausted.
 struct ClassChoice {
   std::optional<Polyline> path;  ///< From the robot to the goal, taut.
-  std::int64_t labels = 0;       ///< Settled labels.
+  std::int64_t labels = 0;       ///< Labels looked at.
   bool budget_exceeded = false;
 };
 
@@ -26,7 +26,7 @@ struct ClassChoice {
 /// tether at the goal is no longer than max_tether. Requires that the laid cable, pulled taut, fits. Exact. Labels
 /// that have merged with their tether number at most the Pareto-optimal (path, tether) pairs per directed edge of the
 /// visibility graph; those that have not see the laid cable across open ground, which bounds their number as well.
-ClassChoice ChooseClass(const TautSpace& space, const Walk& laid, const GoalField& field,
+ClassChoice ChooseClass(const TautSpace& space, const Walk& laid, const GoalDistances& field,
                         const ClassChoiceOptions& options);
 
 }  // namespace tautline

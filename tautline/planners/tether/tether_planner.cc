@@ -111,19 +111,18 @@ void TetherPlanner::ListAll(const LaidCable& laid, Place goal, const PlanOptions
 }
 
 /// The best motion, and the shorter one that the tether forbids. Requires that a motion exists.
-void TetherPlanner::Choose(const LaidCable& laid, Place goal, const PlanOptions& options, PlanResult& result) const {
+void TetherPlanner::Choose(const LaidCable& laid, const GoalDistances& field, const PlanOptions& options,
+                           PlanResult& result) const {
   const double limit = result.limit * (1 + kTetherTolerance);
-  const auto direct = FindShortestOnward(*space_, laid.walk, goal);
+  const auto direct = FindShortestOnward(*space_, laid.walk, field);
   TAUTLINE_CHECK(direct);
-  Motion shortest = MotionAlong(laid, direct->points);
+  Motion shortest = MotionAlong(laid, *direct);
   result.status = PlanStatus::kSolved;
   if (shortest.tether.length <= limit) {
     result.motion = std::move(shortest);
     return;
   }
   result.rejected = std::move(shortest);
-  // No admissible motion is longer than back along the cable to the base and out along the new tether.
-  const GoalField field(*space_, goal, result.start.length + limit);
   const ClassChoice choice =
       ChooseClass(*space_, laid.walk, field, {.max_tether = limit - laid.socket.stub_length, .budget = options.budget});
   TAUTLINE_CHECK(choice.path || choice.budget_exceeded);
@@ -149,20 +148,25 @@ PlanResult TetherPlanner::Plan(const Tether& tether, Point goal, const PlanOptio
                       ExplainLaidCable(*space_, laid.error().obstruction, laid.error().at));
   }
   result.start = laid->in_socket ? space_->MakePath({tether.base}) : TetherAlong(laid->socket, laid->walk);
+  if (!space_->mesh().Connected(laid->robot(), *place)) {
+    return Infeasible(std::move(result), PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal));
+  }
+  GoalField own_field(*space_, *place);
+  const GoalDistances field(own_field);
   // From the base on, since where obstacles touch, a robot and its tether keep to their sector.
-  auto nearest = FindShortestOnward(*space_, laid->Root(), *place);
+  auto nearest = FindShortestOnward(*space_, laid->Root(), field);
   if (!nearest) return Infeasible(std::move(result), PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal));
   if (result.start.length > limit) {
     std::string why = ExplainLaidTooLong(result.start.length, tether.length);
     return Infeasible(std::move(result), PlanObstruction::kLaidCableTooLong, std::move(why));
   }
-  if (nearest->length + laid->socket.stub_length > limit) {
-    if (laid->socket.stub_length > 0) nearest->points.insert(nearest->points.begin(), laid->socket.base);
-    result.shortest_tether = space_->MakePath(std::move(nearest->points));
+  if (Length(*nearest) + laid->socket.stub_length > limit) {
+    if (laid->socket.stub_length > 0) nearest->insert(nearest->begin(), laid->socket.base);
+    result.shortest_tether = space_->MakePath(std::move(*nearest));
     std::string why = ExplainTooShort(*space_, *result.shortest_tether, tether.length);
     return Infeasible(std::move(result), PlanObstruction::kTetherTooShort, std::move(why));
   }
-  Choose(*laid, *place, options, result);
+  Choose(*laid, field, options, result);
   if (options.all) ListAll(*laid, *place, options, result);
   return result;
 }

@@ -66,7 +66,7 @@ class TetherPlanner {
  private:
   TetherPlanner() = default;
 
-  void Choose(const LaidCable& laid, Place goal, const PlanOptions& options, PlanResult& result) const;
+  void Choose(const LaidCable& laid, const GoalDistances& field, const PlanOptions& options, PlanResult& result) const;
   void ListAll(const LaidCable& laid, Place goal, const PlanOptions& options, PlanResult& result) const;
   Motion MotionAlong(const LaidCable& laid, const Polyline& path) const;
 
