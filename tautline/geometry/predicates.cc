@@ -4,6 +4,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace tautline {
 namespace {
@@ -39,6 +40,25 @@ void ToCommonScale(const double (&values)[N], Integer (&integers)[N]) {
   }
 }
 
+/// Whether a - b is a double.
+bool DifferenceIsExact(double a, double b) {
+  // The part of each operand that the rounded difference has lost. [Shewchuk1997, two-diff]
+  const double difference = a - b;
+  const double b_virtual = a - difference, a_virtual = difference + b_virtual;
+  return a - a_virtual == 0 && b_virtual - b == 0;
+}
+
+/// The sign of p * q - r * s, exactly; nothing when a product is so small or large that its rest is no double.
+std::optional<int> CompareProducts(double p, double q, double r, double s) {
+  const double left = p * q, right = r * s;
+  const auto has_rest = [](double product) { return std::fabs(product) > 1e-250 && std::fabs(product) < 1e250; };
+  if (!has_rest(left) || !has_rest(right)) return std::nullopt;
+  // Rounding keeps the order, so only equal rounded products leave it to what rounding took away.
+  if (left != right) return left > right ? 1 : -1;
+  const double left_rest = std::fma(p, q, -left), right_rest = std::fma(r, s, -right);
+  return left_rest > right_rest ? 1 : left_rest < right_rest ? -1 : 0;
+}
+
 bool InClosedBox(Point a, Point b, Point p) {
   return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
          p.y <= std::max(a.y, b.y);
@@ -49,6 +69,11 @@ bool InClosedBox(Point a, Point b, Point p) {
 namespace internal {
 
 int ExactOrientation(Point a, Point b, Point c) {
+  // Coordinates on a common grid of moderate size have exact differences.
+  if (DifferenceIsExact(a.x, c.x) && DifferenceIsExact(b.y, c.y) && DifferenceIsExact(a.y, c.y) &&
+      DifferenceIsExact(b.x, c.x)) {
+    if (const auto sign = CompareProducts(a.x - c.x, b.y - c.y, a.y - c.y, b.x - c.x)) return *sign;
+  }
   const double values[6] = {a.x, a.y, b.x, b.y, c.x, c.y};
   Integer v[6];
   ToCommonScale(values, v);

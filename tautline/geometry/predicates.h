@@ -23,6 +23,8 @@ inline int Orientation(Point a, Point b, Point c) {
   const double bound = 3.3306690738754716e-16 * (std::fabs(left) + std::fabs(right));
   if (det > bound) return 1;
   if (det < -bound) return -1;
+  // Two points coincide, or all share a coordinate: common, and exact.
+  if ((a.x == c.x || b.y == c.y) && (a.y == c.y || b.x == c.x)) return 0;
   return internal::ExactOrientation(a, b, c);
 }
 

@@ -34,7 +34,6 @@ void TriangulationBuilder::AddFrame(std::span<const Point> points) {
 TriangleId TriangulationBuilder::AddTriangle(VertexId a, VertexId b, VertexId c) {
   const TriangleId id(mesh_.triangles_.size());
   mesh_.triangles_.push_back({{a, b, c}, {}, {}});
-  for (const VertexId vertex : {a, b, c}) mesh_.triangle_at_[vertex.index()] = id;
   return id;
 }
 
@@ -48,6 +47,9 @@ void TriangulationBuilder::Link(TriangleId triangle, int index, TriangleId neigh
 void TriangulationBuilder::InsertPoints() {
   const std::span<const Point> inputs(mesh_.points_.data(), mesh_.points_.size() - 4);
   for (const std::int32_t position : HilbertOrder(inputs)) InsertPoint(VertexId(position));
+  for (std::size_t t = 0; t < mesh_.triangles_.size(); ++t) {
+    for (const VertexId vertex : mesh_.triangles_[t].vertices) mesh_.triangle_at_[vertex.index()] = TriangleId(t);
+  }
 }
 
 void TriangulationBuilder::InsertPoint(VertexId vertex) {
@@ -63,8 +65,8 @@ void TriangulationBuilder::InsertPoint(VertexId vertex) {
   } else {
     SplitEdge(triangle, on_edge, vertex);
   }
-  Legalise(vertex);
-  last_ = mesh_.triangle_at_[vertex.index()];
+  Legalise();
+  last_ = triangle;
 }
 
 void TriangulationBuilder::SplitTriangle(TriangleId triangle, VertexId vertex) {
@@ -78,8 +80,7 @@ void TriangulationBuilder::SplitTriangle(TriangleId triangle, VertexId vertex) {
   Link(third, 0, old.neighbours[2], triangle);
   At(second).neighbours = {old.neighbours[1], third, triangle};
   At(third).neighbours = {old.neighbours[2], triangle, second};
-  mesh_.triangle_at_[vertex.index()] = triangle;
-  for (const TriangleId id : {triangle, second, third}) suspicious_.emplace_back(id, 0);
+  suspicious_ = {triangle, second, third};
 }
 
 void TriangulationBuilder::SplitEdge(TriangleId triangle, int index, VertexId vertex) {
@@ -104,10 +105,7 @@ void TriangulationBuilder::SplitEdge(TriangleId triangle, int index, VertexId ve
   At(across).neighbours = {dc, vca, vbd};
   Link(vca, 0, ca, triangle);
   Link(vbd, 0, bd, across);
-  for (const TriangleId id : {triangle, vca, across, vbd}) {
-    for (const VertexId corner : At(id).vertices) mesh_.triangle_at_[corner.index()] = id;
-    suspicious_.emplace_back(id, 0);
-  }
+  suspicious_ = {triangle, vca, across, vbd};
 }
 
 /// Replaces the edge opposite to vertices[index] by the other diagonal of its quadrilateral. Afterwards `triangle` is
@@ -126,10 +124,15 @@ void TriangulationBuilder::Flip(TriangleId triangle, int index) {
   At(across) = {{p, d, r}, {dr, rp, triangle}, {there.constrained[(m + 2) % 3], here.constrained[(k + 1) % 3], false}};
   if (qd.valid()) At(qd).neighbours[static_cast<std::size_t>(At(qd).IndexOf(across))] = triangle;
   if (rp.valid()) At(rp).neighbours[static_cast<std::size_t>(At(rp).IndexOf(triangle))] = across;
-  mesh_.triangle_at_[p.index()] = triangle;
-  mesh_.triangle_at_[q.index()] = triangle;
-  mesh_.triangle_at_[d.index()] = across;
-  mesh_.triangle_at_[r.index()] = across;
+}
+
+/// As Flip, and keeps a triangle known for each vertex.
+void TriangulationBuilder::FlipAmongEdges(TriangleId triangle, int index) {
+  const TriangleId across = At(triangle).neighbour(index);
+  Flip(triangle, index);
+  for (const TriangleId id : {triangle, across}) {
+    for (const VertexId vertex : At(id).vertices) mesh_.triangle_at_[vertex.index()] = id;
+  }
 }
 
 bool TriangulationBuilder::IsIllegal(TriangleId triangle, int index) {
@@ -141,16 +144,16 @@ bool TriangulationBuilder::IsIllegal(TriangleId triangle, int index) {
          0;
 }
 
-/// Flips until all edges opposite to `vertex` are Delaunay. The suspicious sides are those opposite to it.
-void TriangulationBuilder::Legalise(VertexId vertex) {
+/// Flips until all edges opposite to the new vertex are Delaunay. It comes first in the suspicious triangles.
+void TriangulationBuilder::Legalise() {
   while (!suspicious_.empty()) {
-    const auto [triangle, index] = suspicious_.back();
+    const TriangleId triangle = suspicious_.back();
     suspicious_.pop_back();
-    if (!IsIllegal(triangle, index)) continue;
-    const TriangleId across = At(triangle).neighbour(index);
-    Flip(triangle, index);
-    suspicious_.emplace_back(triangle, At(triangle).IndexOf(vertex));
-    suspicious_.emplace_back(across, At(across).IndexOf(vertex));
+    if (!IsIllegal(triangle, 0)) continue;
+    const TriangleId across = At(triangle).neighbour(0);
+    Flip(triangle, 0);
+    suspicious_.push_back(triangle);
+    suspicious_.push_back(across);
   }
 }
 
@@ -160,8 +163,11 @@ void TriangulationBuilder::InsertEdges(std::span<const InputEdge> edges) {
     VertexId at(from);
     mesh_.chain_vertices_.push_back(at);
     while (at != VertexId(to)) {
-      const VertexId next = FirstVertexAlong(at, VertexId(to));
-      InsertEdge(at, next);
+      VertexId next(to);
+      if (!MarkIfPresent(at, next)) {
+        next = FirstVertexAlong(at, next);
+        InsertEdge(at, next);
+      }
       mesh_.chain_vertices_.push_back(next);
       at = next;
     }
@@ -280,7 +286,7 @@ std::vector<TriangulationBuilder::VertexPair> TriangulationBuilder::FlipAway(Ver
       crossings.emplace_back(right, left);  // Not strictly convex: another flip must come first.
       continue;
     }
-    Flip(side.triangle, side.index);
+    FlipAmongEdges(side.triangle, side.index);
     const int turn_a = Orientation(p, q, a), turn_b = Orientation(p, q, b);
     if (turn_a * turn_b < 0) {
       crossings.push_back(turn_a < 0 ? VertexPair(apex, opposite) : VertexPair(opposite, apex));
@@ -301,7 +307,7 @@ void TriangulationBuilder::RestoreDelaunay(const std::vector<VertexPair>& edges)
     const TriangleId across = At(side.triangle).neighbour(side.index);
     const VertexId apex = At(side.triangle).vertex(side.index);
     const VertexId opposite = At(across).vertex(At(across).IndexOf(side.triangle));
-    Flip(side.triangle, side.index);
+    FlipAmongEdges(side.triangle, side.index);
     for (const VertexId end : {apex, opposite}) {
       pending.emplace_back(end, a);
       pending.emplace_back(end, b);

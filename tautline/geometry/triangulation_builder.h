@@ -37,7 +37,8 @@ class TriangulationBuilder {
   void SplitTriangle(TriangleId triangle, VertexId vertex);
   void SplitEdge(TriangleId triangle, int index, VertexId vertex);
   void Flip(TriangleId triangle, int index);
-  void Legalise(VertexId vertex);
+  void FlipAmongEdges(TriangleId triangle, int index);
+  void Legalise();
   bool IsIllegal(TriangleId triangle, int index);
 
   void InsertEdge(VertexId from, VertexId to);
@@ -53,7 +54,7 @@ class TriangulationBuilder {
   void ForEachInFan(VertexId vertex, Visit visit);
 
   Triangulation& mesh_;
-  std::vector<std::pair<TriangleId, int>> suspicious_;
+  std::vector<TriangleId> suspicious_;
   TriangleId last_;
 };
 
