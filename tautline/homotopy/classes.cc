@@ -13,8 +13,11 @@ namespace {
 /// Lengths that agree this closely, relative to the larger, are equal for limits and for the order of classes.
 constexpr double kLengthTolerance = 1e-9;
 
-/// By how much the radius of a field grows from attempt to attempt.
-constexpr double kGrowth = 1.25;
+/// By how much the radius of a field grows when it was too small: first by this share of itself, then by ever more.
+constexpr double kFirstGrowth = 0.03;
+constexpr double kFasterGrowth = 1.5;
+/// The share of the radius that rounding could fake.
+constexpr double kLeastGrowth = 1e-9;
 
 /// One taut walk from the start to the head of an edge or leg, as a link to the walk before it.
 struct Stem {
@@ -175,6 +178,7 @@ class ShortestDescent {
       : space_(space), field_(field), from_(start.at), legs_(FirstLegsFrom(space, start)) {}
 
   std::optional<Polyline> Run() {
+    if (legs_.empty()) return std::nullopt;
     Step step = BestStart();
     if (!std::isfinite(step.total)) return std::nullopt;
     Polyline points{from_};
@@ -200,15 +204,24 @@ class ShortestDescent {
 
   /// Grows the field until no start that it does not know could be better.
   Step BestStart() const {
-    double shortest_leg = std::numeric_limits<double>::infinity();
-    for (const FirstLeg& first : legs_) shortest_leg = std::min(shortest_leg, first.leg.length);
-    double radius = Distance(from_, field_->goal().point) - shortest_leg;
+    double radius = Distance(from_, field_->goal().point), growth = kFirstGrowth * radius;
     for (;;) {
       field_.GrowTo(radius);
       const Step best = BestKnownStart();
-      if (field_->complete() || best.total <= shortest_leg + field_->radius()) return best;
-      radius = std::isfinite(best.total) ? best.total : kGrowth * std::max(radius, shortest_leg);
+      const double missing = best.total - LeastUnknown();
+      if (field_->complete() || missing <= 0) return best;
+      radius += std::clamp(missing, kLeastGrowth * radius, growth);
+      growth *= kFasterGrowth;
     }
+  }
+
+  /// No path that the field does not know yet is shorter.
+  double LeastUnknown() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const FirstLeg& first : legs_) {
+      least = std::min(least, first.leg.length + field_->LeastUnknown(first.leg.corner));
+    }
+    return least;
   }
 
   Step BestKnownStart() const {

@@ -1,7 +1,5 @@
 #include "tautline/homotopy/cover.h"
 
-#include <algorithm>
-
 #include "tautline/base/check.h"
 #include "tautline/geometry/predicates.h"
 
@@ -125,29 +123,6 @@ Sleeve Sleeve::Reversed() const {
   Sleeve reversed = *this;
   reversed.triangles_.assign(triangles_.rbegin(), triangles_.rend());
   return reversed;
-}
-
-SleeveTree::NodeId SleeveTree::Plant(const Sleeve& sleeve) {
-  NodeId last;
-  for (const TriangleId triangle : sleeve.triangles()) {
-    nodes_.push_back({triangle, last});
-    last = NodeId(nodes_.size() - 1);
-  }
-  return last;
-}
-
-SleeveTree::NodeId SleeveTree::Step(NodeId id, TriangleId next) {
-  const Node& node = nodes_[id.index()];
-  if (node.triangle == next) return id;
-  if (node.parent.valid() && last(node.parent) == next) return node.parent;
-  nodes_.push_back({next, id});
-  return NodeId(nodes_.size() - 1);
-}
-
-void SleeveTree::Write(NodeId id, std::vector<TriangleId>& triangles) const {
-  triangles.clear();
-  for (; id.valid(); id = nodes_[id.index()].parent) triangles.push_back(last(id));
-  std::reverse(triangles.begin(), triangles.end());
 }
 
 std::optional<Point> WalkStraight(const FreeMesh& mesh, Point to, Walk& walk) {

@@ -41,37 +41,6 @@ class Sleeve {
   std::vector<TriangleId> triangles_;
 };
 
-/// Many sleeves that share their beginnings: subtrees of the dual tree of the universal cover.
-class SleeveTree {
- public:
-  using NodeId = Index<struct SleeveNodeTag>;  ///< A sleeve, by its last triangle.
-
-  /// O(n).
-  explicit SleeveTree(const Sleeve& trunk) : trunk_(Plant(trunk)) {}
-
-  /// The sleeve that the tree was begun with.
-  NodeId trunk() const { return trunk_; }
-  TriangleId last(NodeId id) const { return nodes_[id.index()].triangle; }
-
-  /// The sleeve after a step to a neighbouring triangle (or none), cancelling a step that is undone. O(1).
-  NodeId Step(NodeId id, TriangleId next);
-
-  /// A sleeve that begins at another triangle.
-  NodeId Plant(const Sleeve& sleeve);
-
-  /// All triangles of a sleeve, first to last. O(n).
-  void Write(NodeId id, std::vector<TriangleId>& triangles) const;
-
- private:
-  struct Node {
-    TriangleId triangle;
-    NodeId parent;
-  };
-
-  std::vector<Node> nodes_;
-  NodeId trunk_;
-};
-
 /// A walk through the free space: where it is, and the class that took it there.
 struct Walk {
   explicit Walk(Place start) : from(start.point), at(start.point), sleeve(start.triangle) {}

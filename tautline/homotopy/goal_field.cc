@@ -1,6 +1,8 @@
 #include "tautline/homotopy/goal_field.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace tautline {
 namespace {
@@ -33,25 +35,37 @@ std::vector<FirstLeg> FirstLegsFrom(const TautSpace& space, const Walk& walk) {
   return first;
 }
 
-GoalField::GoalField(const TautSpace& space, Place goal)
+GoalField::GoalField(const TautSpace& space, Place goal, std::vector<Point> targets)
     : space_(&space),
       goal_(goal),
+      targets_(std::move(targets)),
       beyond_(space.graph().edges().size(), kInfinity),
-      leg_at_(space.corners().size(), -1) {
-  const VisibilityGraph& graph = space.graph();
-  open_end_.reserve(graph.stances());
-  for (std::size_t s = 0; s < graph.stances(); ++s) open_end_.push_back(graph.OutOf(Opposite(StanceId(s))).last);
+      leg_at_(space.corners().size(), -1),
+      open_end_(space.graph().stances()),
+      open_from_(space.graph().stances(), EdgeId(-1)) {
   for (const Place& sector : space.mesh().Sectors(goal)) {
     for (const TautLeg& leg : LegsFrom(space, sector)) {
       leg_at_[leg.corner.index()] = static_cast<std::int32_t>(legs_.size());
       legs_.push_back(leg);
-      queue_.push({leg.length, -static_cast<std::int32_t>(legs_.size())});
+      Push(leg.corner, leg.length, -static_cast<std::int32_t>(legs_.size()));
     }
   }
 }
 
+double GoalField::ToTarget(CornerId corner) const {
+  if (targets_.empty()) return 0;
+  const Point p = space_->corners()[corner].point;
+  double least = kInfinity;
+  for (const Point target : targets_) least = std::min(least, Dot(target - p, target - p));
+  return std::sqrt(least);
+}
+
+void GoalField::Push(CornerId from, double distance, std::int32_t source) {
+  queue_.push({distance + ToTarget(from), distance, source});
+}
+
 void GoalField::GrowTo(double radius) {
-  while (!queue_.empty() && queue_.top().distance <= radius) {
+  while (!queue_.empty() && queue_.top().total <= radius) {
     const Entry entry = queue_.top();
     queue_.pop();
     Settle(entry);
@@ -59,7 +73,7 @@ void GoalField::GrowTo(double radius) {
   radius_ = queue_.empty() ? kInfinity : std::max(radius_, radius);
 }
 
-/// Offers the distance from the tail of an edge, or of the leg, to all edges that come in there and can turn into it.
+/// Offers a way to the goal to all edges that come in at the corner where it starts and can turn into it.
 void GoalField::Settle(const Entry& entry) {
   const VisibilityGraph& graph = space_->graph();
   if (entry.source >= 0) {
@@ -79,30 +93,25 @@ void GoalField::Settle(const Entry& entry) {
 }
 
 /// The edges that come in at a stance are the reverses of those that leave the opposite one. Those that can turn into
-/// a way are the last of them, so after ways of smaller distance only a piece before the earlier pieces is left.
+/// a way are the last of them, so after shorter ways only a piece before the earlier pieces is left.
 template <class CanTurn>
 void GoalField::ReachInto(StanceId stance, double distance, CanTurn can_turn) {
   const VisibilityGraph& graph = space_->graph();
-  const EdgeId first = graph.OutOf(Opposite(stance)).first;
-  EdgeId end = open_end_[stance.index()];
-  while (end > first) {
-    const EdgeId reversed(end.value() - 1);
-    if (!can_turn(reversed)) break;
-    end = reversed;
-    const TautEdge& back = graph.edge(reversed);
-    beyond_[back.reverse.index()] = distance;
-    if (CanGain(back.reverse)) queue_.push({distance + back.length, back.reverse.value()});
+  const EdgeRange reversed = graph.OutOf(Opposite(stance));
+  EdgeId& end = open_end_[stance.index()];
+  if (!end.valid()) end = reversed.last;
+  while (end > reversed.first) {
+    const EdgeId last(end.value() - 1);
+    if (!can_turn(last)) break;
+    end = last;
+    beyond_[last.index()] = distance;
+    const TautEdge& back = graph.edge(last);
+    // Useless unless an edge that comes in at the other end, and can turn into this one, has no distance yet.
+    if (open_from_[StanceOf(back.to, Opposite(back.head)).index()] > back.reverse) continue;
+    Push(back.to, distance + back.length, back.reverse.value());
   }
-  open_end_[stance.index()] = end;
-}
-
-/// Whether an edge that comes in at the tail of this one, and can turn into it, has no distance yet.
-bool GoalField::CanGain(EdgeId id) const {
-  const VisibilityGraph& graph = space_->graph();
-  const TautEdge& edge = graph.edge(id);
-  const StanceId stance = StanceOf(edge.from, edge.tail);
-  const EdgeId end = open_end_[stance.index()];
-  return end > graph.OutOf(Opposite(stance)).first && graph.OnwardOfReverse(EdgeId(end.value() - 1)) <= id;
+  open_from_[stance.index()] = end > reversed.first ? graph.OnwardOfReverse(EdgeId(end.value() - 1))
+                                                    : EdgeId(std::numeric_limits<std::int32_t>::max());
 }
 
 std::optional<double> GoalField::LastLeg(CornerId corner, Side head, Point from) const {

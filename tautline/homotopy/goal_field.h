@@ -38,51 +38,65 @@ std::vector<FirstLeg> FirstLegsFrom(const TautSpace& space, const Walk& walk);
 /// immutable and serves many starts in several threads.
 class GoalField {
  public:
-  /// Knows the legs to the goal, which may be reached through any sector, and no distance yet.
-  GoalField(const TautSpace& space, Place goal);
+  /// Knows the legs to the goal, which may be reached through any sector, and no distance yet. With `targets`, where
+  /// searches will start, it grows towards the nearest of them; without, evenly.
+  explicit GoalField(const TautSpace& space, Place goal, std::vector<Point> targets = {});
 
-  /// Finds all distances up to `radius` metres and perhaps some beyond. One Dijkstra over the directed edges backwards,
-  /// continued from call to call; each edge is looked at once and no turn is tested: O(e log e) for e edges in all.
+  /// Finds the distances of all edges that lie on walks from a target (without targets: of all edges) up to `radius`
+  /// metres from the goal, and perhaps of some more. A* over the directed edges backwards, continued from call to call;
+  /// each edge is looked at once and no turn is tested: O(e log e) for e edges in all.
   void GrowTo(double radius);
 
-  /// Distances up to here are known: Length(e) + Beyond(e) of every edge e with a sum up to this is final, and no
-  /// unknown one is smaller.
   double radius() const { return radius_; }
+  /// Every distance is known, and what is not known does not exist.
   bool complete() const { return radius_ == std::numeric_limits<double>::infinity(); }
+
+  /// No way from the corner to the goal that is not known yet is shorter than this, metres; it may be negative.
+  double LeastUnknown(CornerId corner) const { return radius_ - ToTarget(corner); }
 
   const TautSpace& space() const { return *space_; }
   const Place& goal() const { return goal_; }
 
   /// The least length from the head of the edge to the goal over walks that go on from the edge with taut turns;
   /// infinite when it is not known yet or, in a complete field, when there is none.
-  double Beyond(EdgeId edge) const { return beyond_[edge.index()]; }
+  double Beyond(EdgeId edge) const { return beyond_[space_->graph().edge(edge).reverse.index()]; }
+
+  /// Whether Beyond(edge) was known when the field had that radius.
+  bool WasKnown(EdgeId edge, double radius) const {
+    return Beyond(edge) + ToTarget(space_->graph().edge(edge).to) <= radius;
+  }
 
   /// The length of the last leg from the corner to the goal when a walk may end with it after touching the corner
   /// with its obstacle on side `head`, coming from `from`; nothing otherwise.
   std::optional<double> LastLeg(CornerId corner, Side head, Point from) const;
 
  private:
-  /// What a distance was found for: an edge with the way on from its head, or, counted from -1 down, a leg.
+  /// A way from a corner to the goal: over an edge, or, counted from -1 down, along a leg.
   struct Entry {
+    double total;  ///< From the nearest target straight to the corner, and on to the goal.
     double distance;
     std::int32_t source;
 
-    friend bool operator>(const Entry& a, const Entry& b) { return a.distance > b.distance; }
+    friend bool operator>(const Entry& a, const Entry& b) { return a.total > b.total; }
   };
 
+  double ToTarget(CornerId corner) const;
+  void Push(CornerId from, double distance, std::int32_t source);
   void Settle(const Entry& entry);
   template <class CanTurn>
   void ReachInto(StanceId stance, double distance, CanTurn can_turn);
-  bool CanGain(EdgeId edge) const;
 
   const TautSpace* space_;
   Place goal_;
+  std::vector<Point> targets_;
   double radius_ = 0;
-  std::vector<double> beyond_;
+  std::vector<double> beyond_;  ///< By the reverses of the edges, which lie together at the corner where they end.
   std::vector<TautLeg> legs_;
   std::vector<std::int32_t> leg_at_;  ///< By corner; -1 where the goal is not in tangent sight.
-  /// By stance: the end of those edges that leave the opposite stance whose reverses have no distance yet.
+  /// By stance: the end of those edges that leave the opposite stance whose reverses have no distance yet, and the
+  /// first edge that the last of these reverses can turn into; invalid and past all edges when there are none.
   std::vector<EdgeId> open_end_;
+  std::vector<EdgeId> open_from_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 

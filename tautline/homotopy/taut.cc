@@ -70,11 +70,8 @@ std::vector<TautPoint> DropStraight(const std::vector<TautPoint>& points) {
 }  // namespace
 
 TautCurve PullTaut(const FreeMesh& mesh, const Walk& walk) {
-  return PullTaut(mesh, walk.from, walk.sleeve.triangles(), walk.at);
-}
-
-TautCurve PullTaut(const FreeMesh& mesh, Point from, std::span<const TriangleId> sleeve, Point to) {
-  Funnel funnel({from, {}}, sleeve.size());
+  const auto sleeve = walk.sleeve.triangles();
+  Funnel funnel({walk.from, {}}, sleeve.size());
   VertexId left, right;
   for (std::size_t k = 0; k + 1 < sleeve.size(); ++k) {
     const Triangle& here = mesh.triangle(sleeve[k]);
@@ -88,7 +85,7 @@ TautCurve PullTaut(const FreeMesh& mesh, Point from, std::span<const TriangleId>
     left = new_left;
   }
   TautCurve curve;
-  curve.points = DropStraight(funnel.Finish({to, {}}));
+  curve.points = DropStraight(funnel.Finish({walk.at, {}}));
   for (std::size_t i = 1; i < curve.points.size(); ++i) {
     curve.length += Distance(curve.points[i - 1].point, curve.points[i].point);
   }

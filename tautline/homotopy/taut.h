@@ -2,7 +2,6 @@
 #ifndef TAUTLINE_HOMOTOPY_TAUT_H_
 #define TAUTLINE_HOMOTOPY_TAUT_H_
 
-#include <span>
 #include <vector>
 
 #include "tautline/homotopy/cover.h"
@@ -24,9 +23,6 @@ struct TautCurve {
 /// The one shortest curve from walk.from to walk.at in the class of the walk's sleeve. No turn is straight. Exact but
 /// for the length. O(n) for n triangles. [LeePreparata1984, Hershberger1994]
 TautCurve PullTaut(const FreeMesh& mesh, const Walk& walk);
-
-/// The same for a sleeve given by its triangles.
-TautCurve PullTaut(const FreeMesh& mesh, Point from, std::span<const TriangleId> sleeve, Point to);
 
 }  // namespace tautline
 

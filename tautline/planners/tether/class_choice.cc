@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "tautline/base/check.h"
+#include "tautline/homotopy/funnel_tree.h"
 
 namespace tautline {
 namespace {
@@ -15,10 +15,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// By how much the radius of the field grows from attempt to attempt: this factor and this share of the tether.
-constexpr double kGrowth = 1.2;
-constexpr double kLeastGrowth = 0.02;
+constexpr double kGrowth = 1.03;
+constexpr double kLeastGrowth = 0.001;
 
-using NodeId = SleeveTree::NodeId;
+using NodeId = FunnelTree::NodeId;
 
 /// A taut path from the robot to a corner. Until it shares its last edge with the tether it carries the tether's class.
 struct Label {
@@ -29,7 +29,7 @@ struct Label {
   double path = 0;    ///< Metres from the robot.
   double tether = 0;  ///< Metres from the base; known once settled.
   std::int32_t parent = -1;
-  NodeId tether_class;  ///< The sleeve of the tether; invalid once merged.
+  NodeId tether_class;  ///< Of the tether; invalid once merged.
 
   bool merged() const { return !tether_class.valid(); }
 };
@@ -58,7 +58,7 @@ class ClassChoiceSearch {
         laid_(laid),
         field_(field),
         options_(options),
-        sleeves_(laid.sleeve),
+        tethers_(space.mesh(), laid),
         least_tether_(space.graph().edges().size(), kInfinity) {}
 
   ClassChoice Run() {
@@ -132,28 +132,16 @@ class ClassChoiceSearch {
 
   /// The class of the tether when the robot goes straight on from the end of a label (-1: from where it stands).
   NodeId TetherClass(std::int32_t from, Point to) {
-    const NodeId before = from < 0 ? sleeves_.trunk() : At(from).tether_class;
-    Walk walk(Place{from < 0 ? laid_.at : PointAt(At(from).corner), sleeves_.last(before)});
-    walk.rooted = from >= 0 || !laid_.is_free_to_turn();
-    TAUTLINE_CHECK(!WalkStraight(space_.mesh(), to, walk));
-    if (!walk.rooted && walk.sleeve.front() != sleeves_.last(before)) return sleeves_.Plant(walk.sleeve);
-    NodeId node = before;
-    for (const TriangleId step : walk.sleeve.triangles()) node = sleeves_.Step(node, step);
-    return node;
-  }
-
-  TautCurve Tether(NodeId tether_class, Point to) {
-    sleeves_.Write(tether_class, sleeve_);
-    return PullTaut(space_.mesh(), laid_.from, sleeve_, to);
+    if (from < 0) return tethers_.GoStraight(tethers_.trunk(), laid_.at, laid_.is_free_to_turn(), to);
+    return tethers_.GoStraight(At(from).tether_class, PointAt(At(from).corner), false, to);
   }
 
   /// Carries the tether along the label's last leg and pulls it taut; forgets its class when both now end alike.
   void PullTether(Label& label) {
     label.tether_class = TetherClass(label.parent, PointAt(label.corner));
-    const TautCurve tether = Tether(label.tether_class, PointAt(label.corner));
+    const FunnelTree::Tether tether = tethers_.Pull(label.tether_class, PointAt(label.corner));
     label.tether = tether.length;
-    const std::size_t n = tether.points.size();
-    if (n >= 2 && tether.points[n - 2].point == Before(label)) label.tether_class = {};
+    if (tether.bend == Before(label)) label.tether_class = {};
   }
 
   void Extend(std::int32_t position) {
@@ -168,21 +156,18 @@ class ClassChoiceSearch {
   /// does not know yet.
   void ExtendBeyond(double known, std::int32_t position) {
     const Label label = At(position);
-    double shortest_unknown = kInfinity;
+    bool all_known = true;
     for (EdgeId id = label.onward.first; id < label.onward.last; ++id) {
-      const TautEdge& edge = space_.graph().edge(id);
       const double beyond = field_->Beyond(id);
-      if (beyond <= known) continue;
-      if (std::isinf(beyond)) {
-        shortest_unknown = std::min(shortest_unknown, edge.length);
-        continue;
-      }
+      all_known = all_known && std::isfinite(beyond);
+      if (std::isinf(beyond) || (known >= 0 && field_->WasKnown(id, known))) continue;
+      const TautEdge& edge = space_.graph().edge(id);
       const double longer = label.path + edge.length;
       Push({edge.to, edge.head, id, space_.graph().Onward(id), longer, 0, position, {}}, longer + beyond);
     }
-    if (field_->complete() || std::isinf(shortest_unknown)) return;
-    const double radius = field_->radius();
-    queue_.push({label.path + shortest_unknown + radius, radius, position, Candidate::Kind::kExtend});
+    if (all_known || field_->complete()) return;
+    const double total = label.path + field_->LeastUnknown(label.corner);
+    queue_.push({total, field_->radius(), position, Candidate::Kind::kExtend});
   }
 
   double GoalTether(const Candidate& candidate) {
@@ -191,7 +176,7 @@ class ClassChoiceSearch {
       const Label& label = At(candidate.label);
       return label.tether + Distance(PointAt(label.corner), goal);
     }
-    return Tether(TetherClass(candidate.label, goal), goal).length;
+    return tethers_.Pull(TetherClass(candidate.label, goal), goal).length;
   }
 
   Polyline PointsOf(std::int32_t label) const {
@@ -206,8 +191,7 @@ class ClassChoiceSearch {
   const Walk& laid_;
   const GoalDistances& field_;
   ClassChoiceOptions options_;
-  SleeveTree sleeves_;
-  std::vector<TriangleId> sleeve_;    ///< Scratch.
+  FunnelTree tethers_;
   std::vector<double> least_tether_;  ///< By edge, over settled merged labels.
   std::vector<Label> labels_;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;

@@ -151,7 +151,7 @@ PlanResult TetherPlanner::Plan(const Tether& tether, Point goal, const PlanOptio
   if (!space_->mesh().Connected(laid->robot(), *place)) {
     return Infeasible(std::move(result), PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal));
   }
-  GoalField own_field(*space_, *place);
+  GoalField own_field(*space_, *place, {laid->walk.at, laid->walk.from});
   const GoalDistances field(own_field);
   // From the base on, since where obstacles touch, a robot and its tether keep to their sector.
   auto nearest = FindShortestOnward(*space_, laid->Root(), field);
