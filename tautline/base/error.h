@@ -13,6 +13,7 @@ enum class ErrorCode {
   kUnreadable,     ///< A file is missing or cannot be opened.
   kUnsupported,    ///< Well formed, but outside of what tautline reads.
   kLimitExceeded,  ///< Larger than the stated limits.
+  kStopped,        ///< The caller asked to stop.
 };
 
 /// One line for a person: `where` is "file:line", a key or an argument (may be empty); `message` says what is wrong

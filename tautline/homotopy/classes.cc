@@ -16,6 +16,7 @@ constexpr double kLengthTolerance = 1e-9;
 /// By how much the radius of a field grows when it was too small: first by this share of itself, then by ever more.
 constexpr double kFirstGrowth = 0.03;
 constexpr double kFasterGrowth = 1.5;
+constexpr int kStepsPerCheck = 1024;
 /// The share of the radius that rounding could fake.
 constexpr double kLeastGrowth = 1e-9;
 
@@ -51,13 +52,25 @@ class ClassSearch {
         options_(options),
         limit_(options.max_length ? *options.max_length * (1 + kLengthTolerance)
                                   : std::numeric_limits<double>::infinity()),
-        field_(space, to) {
-    field_.GrowTo(limit_);
-  }
+        field_(space, to, {.keep_going = options.keep_going}),
+        stop_(options.keep_going, kStepsPerCheck) {}
 
   ClassList Run() {
-    Start();
     ClassList list;
+    try {
+      List(list);
+    } catch (const Stopped&) {
+      list.budget_exceeded = true;
+    }
+    list.complete = !list.budget_exceeded && queue_.empty();
+    SortTies(list.classes);
+    return list;
+  }
+
+ private:
+  void List(ClassList& list) {
+    field_.GrowTo(limit_);
+    Start();
     const std::int64_t most = options_.max_count.value_or(std::numeric_limits<std::int64_t>::max());
     while (!queue_.empty() && static_cast<std::int64_t>(list.classes.size()) < most) {
       if (expanded_ >= options_.budget) {
@@ -68,17 +81,14 @@ class ClassSearch {
       queue_.pop();
       if (candidate.finished) {
         ++expanded_;
+        stop_.Step();
         list.classes.push_back(space_.MakePath(PointsOf(candidate.stem)));
       } else {
         Follow(candidate);
       }
     }
-    list.complete = queue_.empty();
-    SortTies(list.classes);
-    return list;
   }
 
- private:
   Point PointAt(CornerId id) const { return space_.corners()[id].point; }
 
   void Start() {
@@ -100,6 +110,7 @@ class ClassSearch {
   void Follow(Candidate candidate) {
     while (!candidate.finished && expanded_ < options_.budget) {
       ++expanded_;
+      stop_.Step();
       const auto next = Extend(candidate.stem);
       if (!next) return;
       candidate = *next;
@@ -168,6 +179,7 @@ class ClassSearch {
   GoalField field_;
   std::vector<Stem> stems_;
   std::int64_t expanded_ = 0;
+  StopCheck stop_;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
 };
 

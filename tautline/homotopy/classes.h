@@ -16,6 +16,7 @@ struct ClassOptions {
   std::optional<double> max_length;       ///< Metres; only classes whose taut path is no longer.
   std::optional<std::int64_t> max_count;  ///< Only the so many shortest.
   std::int64_t budget = 1'000'000;        ///< Expanded search states after which the list ends incomplete.
+  KeepGoing keep_going = {};              ///< Asked now and then; at a no the list ends as at the budget's end.
 };
 
 struct ClassList {

@@ -8,6 +8,7 @@ namespace tautline {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kStepsPerCheck = 8192;
 
 }  // namespace
 
@@ -35,15 +36,16 @@ std::vector<FirstLeg> FirstLegsFrom(const TautSpace& space, const Walk& walk) {
   return first;
 }
 
-GoalField::GoalField(const TautSpace& space, Place goal, std::vector<Point> targets)
+GoalField::GoalField(const TautSpace& space, Place goal, GoalFieldOptions options)
     : space_(&space),
       goal_(goal),
-      targets_(std::move(targets)),
+      targets_(std::move(options.targets)),
+      stop_(std::move(options.keep_going), kStepsPerCheck),
       beyond_(space.graph().edges().size(), kInfinity),
       leg_at_(space.corners().size(), -1),
       open_end_(space.graph().stances()),
       open_from_(space.graph().stances(), EdgeId(-1)) {
-  for (const Place& sector : space.mesh().Sectors(goal)) {
+  for (const Place& sector : options.one_sector ? std::vector<Place>{goal} : space.mesh().Sectors(goal)) {
     for (const TautLeg& leg : LegsFrom(space, sector)) {
       leg_at_[leg.corner.index()] = static_cast<std::int32_t>(legs_.size());
       legs_.push_back(leg);
@@ -66,6 +68,7 @@ void GoalField::Push(CornerId from, double distance, std::int32_t source) {
 
 void GoalField::GrowTo(double radius) {
   while (!queue_.empty() && queue_.top().total <= radius) {
+    stop_.Step();
     const Entry entry = queue_.top();
     queue_.pop();
     Settle(entry);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tautline/base/check.h"
+#include "tautline/base/stop.h"
 #include "tautline/homotopy/taut_space.h"
 
 namespace tautline {
@@ -34,13 +35,21 @@ struct FirstLeg {
 /// within the sector that the walk came in by, or, when it has not moved yet and is not rooted, by any.
 std::vector<FirstLeg> FirstLegsFrom(const TautSpace& space, const Walk& walk);
 
+struct GoalFieldOptions {
+  /// Where searches will start: the field grows towards the nearest of these points; without any, evenly.
+  std::vector<Point> targets;
+  /// Where the goal lies on a vertex at which blocked ground touches, it is reached through its own sector only.
+  bool one_sector = false;
+  /// Asked while the field grows; when it says stop, GrowTo throws Stopped.
+  KeepGoing keep_going;
+};
+
 /// Exact taut distances to one goal, found outwards from the goal as far as they are asked for. Once complete, it is
 /// immutable and serves many starts in several threads.
 class GoalField {
  public:
-  /// Knows the legs to the goal, which may be reached through any sector, and no distance yet. With `targets`, where
-  /// searches will start, it grows towards the nearest of them; without, evenly.
-  explicit GoalField(const TautSpace& space, Place goal, std::vector<Point> targets = {});
+  /// Knows the legs to the goal, and no distance yet.
+  explicit GoalField(const TautSpace& space, Place goal, GoalFieldOptions options = {});
 
   /// Finds the distances of all edges that lie on walks from a target (without targets: of all edges) up to `radius`
   /// metres from the goal, and perhaps of some more. A* over the directed edges backwards, continued from call to call;
@@ -89,6 +98,7 @@ class GoalField {
   const TautSpace* space_;
   Place goal_;
   std::vector<Point> targets_;
+  StopCheck stop_;
   double radius_ = 0;
   std::vector<double> beyond_;  ///< By the reverses of the edges, which lie together at the corner where they end.
   std::vector<TautLeg> legs_;

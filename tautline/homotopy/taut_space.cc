@@ -7,11 +7,11 @@
 
 namespace tautline {
 
-TautSpace::TautSpace(FreeSpace space)
+TautSpace::TautSpace(FreeSpace space, const Watcher& watch)
     : space_(std::move(space)),
       mesh_(space_),
       corners_(space_, mesh_),
-      graph_(mesh_, corners_),
+      graph_(mesh_, corners_, watch),
       rays_(space_),
       tolerance_(BoundaryTolerance(space_)) {}
 

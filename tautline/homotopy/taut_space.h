@@ -26,7 +26,8 @@ struct Departure {
 class TautSpace {
  public:
   /// O(n log n) for the mesh and the size of all corners' sight for the graph.
-  explicit TautSpace(FreeSpace space);
+  /// Throws Stopped when `watch` says stop.
+  explicit TautSpace(FreeSpace space, const Watcher& watch = {});
 
   const FreeSpace& free_space() const { return space_; }
   const FreeMesh& mesh() const { return mesh_; }

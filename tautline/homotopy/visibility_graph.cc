@@ -8,9 +8,19 @@
 
 namespace tautline {
 
-VisibilityGraph::VisibilityGraph(const FreeMesh& mesh, const Corners& corners) {
+namespace {
+
+constexpr std::size_t kCornersPerReport = 256;
+
+}  // namespace
+
+VisibilityGraph::VisibilityGraph(const FreeMesh& mesh, const Corners& corners, const Watcher& watch) {
   first_.reserve(2 * corners.size() + 1);
   for (std::size_t c = 0; c < corners.size(); ++c) {
+    if (watch && c % kCornersPerReport == 0 &&
+        !watch("visibility graph", static_cast<double>(c) / static_cast<double>(corners.size()))) {
+      throw Stopped();
+    }
     const CornerId from(c);
     first_.emplace_back(edges_.size());
     std::size_t left = 0;

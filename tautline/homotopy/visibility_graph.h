@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "tautline/base/stop.h"
 #include "tautline/homotopy/visibility.h"
 
 namespace tautline {
@@ -48,8 +49,8 @@ constexpr StanceId Opposite(StanceId stance) { return StanceId(stance.value() ^ 
 /// edge are those from some edge to the end of the stance at its head: no turn has to be tested to walk on.
 class VisibilityGraph {
  public:
-  /// O(triangles seen from all corners + e log e) for e edges.
-  VisibilityGraph(const FreeMesh& mesh, const Corners& corners);
+  /// O(triangles seen from all corners + e log e) for e edges. Throws Stopped when `watch` says stop.
+  VisibilityGraph(const FreeMesh& mesh, const Corners& corners, const Watcher& watch = {});
 
   std::span<const TautEdge> edges() const { return edges_; }
   const TautEdge& edge(EdgeId id) const { return edges_[id.index()]; }

@@ -17,6 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// By how much the radius of the field grows from attempt to attempt: this factor and this share of the tether.
 constexpr double kGrowth = 1.03;
 constexpr double kLeastGrowth = 0.001;
+constexpr int kStepsPerCheck = 512;
 
 using NodeId = FunnelTree::NodeId;
 
@@ -58,6 +59,7 @@ class ClassChoiceSearch {
         laid_(laid),
         field_(field),
         options_(options),
+        stop_(options.keep_going, kStepsPerCheck),
         tethers_(space.mesh(), laid),
         least_tether_(space.graph().edges().size(), kInfinity) {}
 
@@ -69,6 +71,7 @@ class ClassChoiceSearch {
         choice.budget_exceeded = true;
         break;
       }
+      stop_.Step();
       const Candidate candidate = queue_.top();
       queue_.pop();
       if (candidate.kind == Candidate::Kind::kFinish) {
@@ -191,6 +194,7 @@ class ClassChoiceSearch {
   const Walk& laid_;
   const GoalDistances& field_;
   ClassChoiceOptions options_;
+  StopCheck stop_;
   FunnelTree tethers_;
   std::vector<double> least_tether_;  ///< By edge, over settled merged labels.
   std::vector<Label> labels_;

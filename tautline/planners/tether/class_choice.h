@@ -13,6 +13,7 @@ namespace tautline {
 struct ClassChoiceOptions {
   double max_tether = 0;            ///< Metres, from the walk's start.
   std::int64_t budget = 5'000'000;  ///< Labels after which the search gives up.
+  KeepGoing keep_going = {};        ///< Asked now and then; at a no the search throws Stopped.
 };
 
 /// What the search found. Without a path and without budget_exceeded, none exists: the search was exhausted.

@@ -74,4 +74,6 @@ std::string ExplainBudget(std::int64_t budget) {
          " with the question still open";
 }
 
+std::string ExplainStopped() { return "the search was stopped by its caller with the question still open"; }
+
 }  // namespace tautline

@@ -17,6 +17,7 @@ std::string ExplainUnreachable(Point goal);
 std::string ExplainLaidTooLong(double taut_length, double limit);
 std::string ExplainTooShort(const TautSpace& space, const TautPath& shortest, double limit);
 std::string ExplainBudget(std::int64_t budget);
+std::string ExplainStopped();
 
 }  // namespace tautline
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tautline/base/error.h"
+#include "tautline/base/stop.h"
 #include "tautline/homotopy/taut_path.h"
 #include "tautline/scene/scene.h"
 
@@ -43,6 +44,9 @@ struct PlanOptions {
   std::int64_t max_all = 100;
   /// Labels (plan) or classes (`all`) after which the search stops with kBudgetExceeded.
   std::int64_t budget = 5'000'000;
+  /// Asked now and then whether to go on: for cancelling, and for time budgets (Until in base/stop.h). At a no the
+  /// search stops with kBudgetExceeded.
+  KeepGoing keep_going = {};
 };
 
 struct PlanResult {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "tautline/base/check.h"
@@ -18,26 +19,61 @@ Polyline Points(const TautCurve& curve) {
   return points;
 }
 
-PlanResult Infeasible(PlanResult result, PlanObstruction obstruction, std::string explanation) {
+void SetInfeasible(PlanObstruction obstruction, std::string explanation, PlanResult& result) {
   result.status = PlanStatus::kInfeasible;
   result.obstruction = obstruction;
   result.explanation = std::move(explanation);
-  return result;
+}
+
+/// The shortest path from a walk to the goal of a field that was found backwards: from the goal to where the walk is.
+std::optional<Polyline> ShortestInto(const TautSpace& space, Place goal, const GoalField& from_walk) {
+  auto path = FindShortestOnward(space, Walk(goal), GoalDistances(from_walk));
+  if (path) std::reverse(path->begin(), path->end());
+  return path;
 }
 
 }  // namespace
 
-Expected<TetherPlanner> TetherPlanner::Prepare(const World& world) {
-  auto space = BuildFreeSpace(world);
-  if (!space) return tl::unexpected(space.error());
-  TetherPlanner planner;
-  if (space->clearance > 0) {
-    const auto ungrown = BuildFreeSpace(world, {.clearance = 0.0});
-    if (!ungrown) return tl::unexpected(ungrown.error());
-    planner.ungrown_ = std::make_unique<const FreeMesh>(*ungrown);
+/// The shortest paths to a goal from the base and from the robot; nothing where there is none.
+class ShortestWays {
+ public:
+  ShortestWays(const TautSpace& space, const PreparedStart& start, Place goal, const GoalDistances& to_goal)
+      : space_(space), start_(start), goal_(goal), to_goal_(to_goal) {}
+
+  /// From the base on, since where obstacles touch, a robot and its tether keep to their sector.
+  std::optional<Polyline> FromBase() const {
+    if (start_.from_base_) return ShortestInto(space_, goal_, *start_.from_base_);
+    return FindShortestOnward(space_, start_.laid_->Root(), to_goal_);
   }
-  planner.space_ = std::make_unique<const TautSpace>(std::move(*space));
-  return planner;
+
+  std::optional<Polyline> FromRobot() const {
+    if (start_.from_robot_) return ShortestInto(space_, goal_, *start_.from_robot_);
+    return FindShortestOnward(space_, start_.laid_->walk, to_goal_);
+  }
+
+ private:
+  const TautSpace& space_;
+  const PreparedStart& start_;
+  Place goal_;
+  const GoalDistances& to_goal_;
+};
+
+Expected<TetherPlanner> TetherPlanner::Prepare(const World& world, const PrepareOptions& options) {
+  try {
+    if (options.watch && !options.watch("free space", 0)) throw Stopped();
+    auto space = BuildFreeSpace(world);
+    if (!space) return tl::unexpected(space.error());
+    TetherPlanner planner;
+    if (space->clearance > 0) {
+      const auto ungrown = BuildFreeSpace(world, {.clearance = 0.0});
+      if (!ungrown) return tl::unexpected(ungrown.error());
+      planner.ungrown_ = std::make_unique<const FreeMesh>(*ungrown);
+    }
+    planner.space_ = std::make_unique<const TautSpace>(std::move(*space), options.watch);
+    return planner;
+  } catch (const Stopped&) {
+    return tl::unexpected(Error{ErrorCode::kStopped, "the preparation was stopped", ""});
+  }
 }
 
 tl::expected<LaidCable, LaidCableFault> TetherPlanner::FollowLaidCable(const Tether& tether) const {
@@ -82,7 +118,10 @@ Motion TetherPlanner::MotionAlong(const LaidCable& laid, const Polyline& path) c
 ClassList TetherPlanner::TethersTo(const Socket& socket, const Walk& root, Place goal,
                                    const ClassOptions& options) const {
   ClassOptions from_exit = options;
-  if (options.max_length) from_exit.max_length = *options.max_length - socket.stub_length;
+  // The tolerance is a share of the whole tether, also where FindClasses sees only a part of it.
+  if (options.max_length) {
+    from_exit.max_length = *options.max_length - socket.stub_length / (1 + kTetherTolerance);
+  }
   ClassList list = FindClassesOnward(*space_, root, goal, from_exit);
   if (socket.stub_length == 0) return list;
   for (TautPath& tether : list.classes) {
@@ -93,9 +132,11 @@ ClassList TetherPlanner::TethersTo(const Socket& socket, const Walk& root, Place
 }
 
 void TetherPlanner::ListAll(const LaidCable& laid, Place goal, const PlanOptions& options, PlanResult& result) const {
-  const ClassList tethers =
-      TethersTo(laid.socket, laid.Root(), goal,
-                {.max_length = result.limit, .max_count = options.max_all, .budget = options.budget});
+  const ClassList tethers = TethersTo(laid.socket, laid.Root(), goal,
+                                      {.max_length = result.limit,
+                                       .max_count = options.max_all,
+                                       .budget = options.budget,
+                                       .keep_going = options.keep_going});
   const Polyline cable = Points(PullTaut(space_->mesh(), laid.walk));
   const Polyline back(cable.rbegin(), cable.rend());
   for (const TautPath& tether : tethers.classes) {
@@ -111,64 +152,120 @@ void TetherPlanner::ListAll(const LaidCable& laid, Place goal, const PlanOptions
 }
 
 /// The best motion, and the shorter one that the tether forbids. Requires that a motion exists.
-void TetherPlanner::Choose(const LaidCable& laid, const GoalDistances& field, const PlanOptions& options,
-                           PlanResult& result) const {
+void TetherPlanner::Choose(const LaidCable& laid, const Polyline& direct, const GoalDistances& field,
+                           const PlanOptions& options, PlanResult& result) const {
   const double limit = result.limit * (1 + kTetherTolerance);
-  const auto direct = FindShortestOnward(*space_, laid.walk, field);
-  TAUTLINE_CHECK(direct);
-  Motion shortest = MotionAlong(laid, *direct);
-  result.status = PlanStatus::kSolved;
+  Motion shortest = MotionAlong(laid, direct);
   if (shortest.tether.length <= limit) {
     result.motion = std::move(shortest);
+    result.status = PlanStatus::kSolved;
     return;
   }
   result.rejected = std::move(shortest);
-  const ClassChoice choice =
-      ChooseClass(*space_, laid.walk, field, {.max_tether = limit - laid.socket.stub_length, .budget = options.budget});
+  const ClassChoice choice = ChooseClass(
+      *space_, laid.walk, field,
+      {.max_tether = limit - laid.socket.stub_length, .budget = options.budget, .keep_going = options.keep_going});
   TAUTLINE_CHECK(choice.path || choice.budget_exceeded);
   if (choice.path) {
     result.motion = MotionAlong(laid, *choice.path);
+    result.status = PlanStatus::kSolved;
   } else {
     result.status = PlanStatus::kBudgetExceeded;
     result.explanation = ExplainBudget(options.budget);
   }
 }
 
+PreparedStart TetherPlanner::StartOf(const Tether& tether) const {
+  PreparedStart start(tether, FollowLaidCable(tether));
+  if (!start.laid_) return start;
+  start.taut_ =
+      start.laid_->in_socket ? space_->MakePath({tether.base}) : TetherAlong(start.laid_->socket, start.laid_->walk);
+  return start;
+}
+
+PreparedStart TetherPlanner::PrepareStart(const Tether& tether) const {
+  PreparedStart start = StartOf(tether);
+  if (!start.laid_) return start;
+  const Walk root = start.laid_->Root();
+  const Place base{root.at, root.sleeve.back()}, robot = start.laid_->robot();
+  if (space_->mesh().Sectors(base).size() > 1 || space_->mesh().Sectors(robot).size() > 1) return start;
+  start.from_base_.emplace(*space_, base).GrowTo(std::numeric_limits<double>::infinity());
+  start.from_robot_.emplace(*space_, robot).GrowTo(std::numeric_limits<double>::infinity());
+  return start;
+}
+
+PreparedGoal TetherPlanner::PrepareGoal(Point goal) const {
+  PreparedGoal prepared(goal, space_->Locate(goal));
+  if (prepared.place_)
+    prepared.field_.emplace(*space_, *prepared.place_).GrowTo(std::numeric_limits<double>::infinity());
+  return prepared;
+}
+
 PlanResult TetherPlanner::Plan(const Tether& tether, Point goal, const PlanOptions& options) const {
+  return Decide(StartOf(tether), PreparedGoal(goal, space_->Locate(goal)), options);
+}
+
+PlanResult TetherPlanner::Plan(const PreparedStart& start, Point goal, const PlanOptions& options) const {
+  return Decide(start, PreparedGoal(goal, space_->Locate(goal)), options);
+}
+
+PlanResult TetherPlanner::Plan(const Tether& tether, const PreparedGoal& goal, const PlanOptions& options) const {
+  return Decide(StartOf(tether), goal, options);
+}
+
+PlanResult TetherPlanner::Decide(const PreparedStart& start, const PreparedGoal& goal,
+                                 const PlanOptions& options) const {
   PlanResult result;
-  result.limit = tether.length;
-  const double limit = tether.length * (1 + kTetherTolerance);
-  const auto place = space_->Locate(goal);
-  if (!place) {
-    return Infeasible(std::move(result), PlanObstruction::kGoalBlocked, ExplainBlocked(*space_, "the goal", goal));
+  result.limit = start.tether_.length;
+  try {
+    Decide(start, goal, options, result);
+  } catch (const Stopped&) {
+    result.status = PlanStatus::kBudgetExceeded;
+    result.explanation = ExplainStopped();
   }
-  const auto laid = FollowLaidCable(tether);
-  if (!laid) {
-    return Infeasible(std::move(result), laid.error().obstruction,
-                      ExplainLaidCable(*space_, laid.error().obstruction, laid.error().at));
-  }
-  result.start = laid->in_socket ? space_->MakePath({tether.base}) : TetherAlong(laid->socket, laid->walk);
-  if (!space_->mesh().Connected(laid->robot(), *place)) {
-    return Infeasible(std::move(result), PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal));
-  }
-  GoalField own_field(*space_, *place, {laid->walk.at, laid->walk.from});
-  const GoalDistances field(own_field);
-  // From the base on, since where obstacles touch, a robot and its tether keep to their sector.
-  auto nearest = FindShortestOnward(*space_, laid->Root(), field);
-  if (!nearest) return Infeasible(std::move(result), PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal));
-  if (result.start.length > limit) {
-    std::string why = ExplainLaidTooLong(result.start.length, tether.length);
-    return Infeasible(std::move(result), PlanObstruction::kLaidCableTooLong, std::move(why));
-  }
-  if (Length(*nearest) + laid->socket.stub_length > limit) {
-    if (laid->socket.stub_length > 0) nearest->insert(nearest->begin(), laid->socket.base);
-    result.shortest_tether = space_->MakePath(std::move(*nearest));
-    std::string why = ExplainTooShort(*space_, *result.shortest_tether, tether.length);
-    return Infeasible(std::move(result), PlanObstruction::kTetherTooShort, std::move(why));
-  }
-  Choose(*laid, field, options, result);
-  if (options.all) ListAll(*laid, *place, options, result);
   return result;
+}
+
+void TetherPlanner::Decide(const PreparedStart& start, const PreparedGoal& goal, const PlanOptions& options,
+                           PlanResult& result) const {
+  const double limit = result.limit * (1 + kTetherTolerance);
+  if (!goal.place_) {
+    return SetInfeasible(PlanObstruction::kGoalBlocked, ExplainBlocked(*space_, "the goal", goal.point_), result);
+  }
+  if (!start.laid_) {
+    const LaidCableFault& fault = start.laid_.error();
+    return SetInfeasible(fault.obstruction, ExplainLaidCable(*space_, fault.obstruction, fault.at), result);
+  }
+  const LaidCable& laid = *start.laid_;
+  result.start = start.taut_;
+  const auto unreachable = [&] {
+    SetInfeasible(PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal.point_), result);
+  };
+  if (!space_->mesh().Connected(laid.robot(), *goal.place_)) return unreachable();
+
+  std::optional<GoalField> own_field;
+  if (!goal.field_) {
+    own_field.emplace(*space_, *goal.place_,
+                      GoalFieldOptions{.targets = {laid.walk.at, laid.walk.from}, .keep_going = options.keep_going});
+  }
+  const GoalDistances field = goal.field_ ? GoalDistances(*goal.field_) : GoalDistances(*own_field);
+  const ShortestWays shortest(*space_, start, *goal.place_, field);
+  std::optional<Polyline> nearest = shortest.FromBase();
+  if (!nearest) return unreachable();
+  if (result.start.length > limit) {
+    return SetInfeasible(PlanObstruction::kLaidCableTooLong, ExplainLaidTooLong(result.start.length, result.limit),
+                         result);
+  }
+  if (Length(*nearest) + laid.socket.stub_length > limit) {
+    if (laid.socket.stub_length > 0) nearest->insert(nearest->begin(), laid.socket.base);
+    result.shortest_tether = space_->MakePath(std::move(*nearest));
+    return SetInfeasible(PlanObstruction::kTetherTooShort,
+                         ExplainTooShort(*space_, *result.shortest_tether, result.limit), result);
+  }
+  const std::optional<Polyline> direct = laid.at_root() ? nearest : shortest.FromRobot();
+  TAUTLINE_CHECK(direct);
+  Choose(laid, *direct, field, options, result);
+  if (options.all) ListAll(laid, *goal.place_, options, result);
 }
 
 }  // namespace tautline
