@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <tuple>
 
 #include "tautline/homotopy/goal_field.h"
 
@@ -35,7 +36,10 @@ struct Candidate {
   std::int32_t stem;  ///< -1: straight from the start to the goal.
   bool finished;
 
-  friend bool operator>(const Candidate& a, const Candidate& b) { return a.total > b.total; }
+  /// By total; equal ones in the order in which they were found, whatever the heap makes of them.
+  friend bool operator>(const Candidate& a, const Candidate& b) {
+    return std::tie(a.total, a.stem, a.finished) > std::tie(b.total, b.stem, b.finished);
+  }
 };
 
 bool IsStraight(const TautSpace& space, const Walk& start, Point to) {

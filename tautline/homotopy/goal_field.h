@@ -86,7 +86,9 @@ class GoalField {
     double distance;
     std::int32_t source;
 
-    friend bool operator>(const Entry& a, const Entry& b) { return a.total > b.total; }
+    friend bool operator>(const Entry& a, const Entry& b) {
+      return a.total > b.total || (a.total == b.total && a.source > b.source);
+    }
   };
 
   double ToTarget(CornerId corner) const;

@@ -11,7 +11,15 @@ TautSpace::TautSpace(FreeSpace space, const Watcher& watch)
     : space_(std::move(space)),
       mesh_(space_),
       corners_(space_, mesh_),
-      graph_(mesh_, corners_, watch),
+      graph_(corners_, SeeFromAllCorners(mesh_, corners_, watch)),
+      rays_(space_),
+      tolerance_(BoundaryTolerance(space_)) {}
+
+TautSpace::TautSpace(FreeSpace space, const SightList& sight)
+    : space_(std::move(space)),
+      mesh_(space_),
+      corners_(space_, mesh_),
+      graph_(corners_, sight),
       rays_(space_),
       tolerance_(BoundaryTolerance(space_)) {}
 

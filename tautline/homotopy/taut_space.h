@@ -29,6 +29,9 @@ class TautSpace {
   /// Throws Stopped when `watch` says stop.
   explicit TautSpace(FreeSpace space, const Watcher& watch = {});
 
+  /// The same where what the corners see is known: that of graph().sight() of an equal space. O(n log n).
+  TautSpace(FreeSpace space, const SightList& sight);
+
   const FreeSpace& free_space() const { return space_; }
   const FreeMesh& mesh() const { return mesh_; }
   const Corners& corners() const { return corners_; }

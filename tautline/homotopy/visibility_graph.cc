@@ -14,31 +14,56 @@ constexpr std::size_t kCornersPerReport = 256;
 
 }  // namespace
 
-VisibilityGraph::VisibilityGraph(const FreeMesh& mesh, const Corners& corners, const Watcher& watch) {
-  first_.reserve(2 * corners.size() + 1);
+SightList SeeFromAllCorners(const FreeMesh& mesh, const Corners& corners, const Watcher& watch) {
+  SightList list;
+  list.counts.reserve(corners.size());
   for (std::size_t c = 0; c < corners.size(); ++c) {
     if (watch && c % kCornersPerReport == 0 &&
         !watch("visibility graph", static_cast<double>(c) / static_cast<double>(corners.size()))) {
       throw Stopped();
     }
+    const std::vector<Sighting> seen = SeeFromCorner(mesh, corners, CornerId(c));
+    list.sightings.insert(list.sightings.end(), seen.begin(), seen.end());
+    list.counts.push_back(static_cast<std::int32_t>(seen.size()));
+  }
+  return list;
+}
+
+VisibilityGraph::VisibilityGraph(const Corners& corners, const SightList& sight) {
+  TAUTLINE_CHECK(sight.counts.size() == corners.size());
+  edges_.reserve(sight.sightings.size());
+  first_.reserve(2 * corners.size() + 1);
+  auto sighting = sight.sightings.begin();
+  for (std::size_t c = 0; c < corners.size(); ++c) {
     const CornerId from(c);
     first_.emplace_back(edges_.size());
     std::size_t left = 0;
-    for (const Sighting& sighting : SeeFromCorner(mesh, corners, from)) {
+    for (std::int32_t k = 0; k < sight.counts[c]; ++k, ++sighting) {
       edges_.push_back({from,
-                        sighting.corner,
-                        Distance(corners[from].point, corners[sighting.corner].point),
-                        sighting.tail,
-                        sighting.head,
+                        sighting->corner,
+                        Distance(corners[from].point, corners[sighting->corner].point),
+                        sighting->tail,
+                        sighting->head,
                         {},
                         {}});
-      if (sighting.tail == Side::kLeft) ++left;
+      if (sighting->tail == Side::kLeft) ++left;
     }
     first_.emplace_back(first_.back().index() + left);
   }
   first_.emplace_back(edges_.size());
   SortStances(corners);
   FindOnward(corners);
+}
+
+SightList VisibilityGraph::sight() const {
+  SightList list;
+  for (std::size_t c = 0; 2 * c < stances(); ++c) {
+    const auto begin = static_cast<std::ptrdiff_t>(list.sightings.size());
+    for (const TautEdge& edge : OutOf(CornerId(c))) list.sightings.push_back({edge.to, edge.tail, edge.head});
+    std::sort(list.sightings.begin() + begin, list.sightings.end());
+    list.counts.push_back(static_cast<std::int32_t>(list.sightings.size()) - static_cast<std::int32_t>(begin));
+  }
+  return list;
 }
 
 /// Sorts the edges of each corner by stance and direction, and pairs each edge with its reverse.

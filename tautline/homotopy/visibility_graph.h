@@ -24,6 +24,15 @@ struct TautEdge {
   EdgeId onward;   ///< Where the taut ways on from its head begin; see VisibilityGraph::Onward.
 };
 
+/// What each corner sees along bitangents, one corner after the other: all that a visibility graph is made from.
+struct SightList {
+  std::vector<Sighting> sightings;   ///< Of each corner sorted as SeeFromCorner does.
+  std::vector<std::int32_t> counts;  ///< By corner.
+};
+
+/// O(triangles seen from all corners). Throws Stopped when `watch` says stop.
+SightList SeeFromAllCorners(const FreeMesh& mesh, const Corners& corners, const Watcher& watch = {});
+
 /// Consecutive edges: all from `first` up to, not including, `last`.
 struct EdgeRange {
   EdgeId first;
@@ -49,8 +58,12 @@ constexpr StanceId Opposite(StanceId stance) { return StanceId(stance.value() ^ 
 /// edge are those from some edge to the end of the stance at its head: no turn has to be tested to walk on.
 class VisibilityGraph {
  public:
-  /// O(triangles seen from all corners + e log e) for e edges. Throws Stopped when `watch` says stop.
-  VisibilityGraph(const FreeMesh& mesh, const Corners& corners, const Watcher& watch = {});
+  /// Requires that sight is symmetric and made of tangents, as SeeFromAllCorners finds it. O(e log d) for e edges, d
+  /// at a corner.
+  VisibilityGraph(const Corners& corners, const SightList& sight);
+
+  /// What the graph was made from. O(e log d).
+  SightList sight() const;
 
   std::span<const TautEdge> edges() const { return edges_; }
   const TautEdge& edge(EdgeId id) const { return edges_[id.index()]; }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -48,7 +49,10 @@ struct Candidate {
   std::int32_t label;
   Kind kind;
 
-  friend bool operator>(const Candidate& a, const Candidate& b) { return a.total > b.total; }
+  /// By total; equal ones in the order in which they were found, whatever the heap makes of them.
+  friend bool operator>(const Candidate& a, const Candidate& b) {
+    return std::tie(a.total, a.label, a.kind) > std::tie(b.total, b.label, b.kind);
+  }
 };
 
 class ClassChoiceSearch {

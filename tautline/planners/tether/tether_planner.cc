@@ -65,9 +65,9 @@ Expected<TetherPlanner> TetherPlanner::Prepare(const World& world, const Prepare
     if (!space) return tl::unexpected(space.error());
     TetherPlanner planner;
     if (space->clearance > 0) {
-      const auto ungrown = BuildFreeSpace(world, {.clearance = 0.0});
+      auto ungrown = BuildFreeSpace(world, {.clearance = 0.0});
       if (!ungrown) return tl::unexpected(ungrown.error());
-      planner.ungrown_ = std::make_unique<const FreeMesh>(*ungrown);
+      planner.ungrown_ = std::make_unique<const Ungrown>(std::move(*ungrown));
     }
     planner.space_ = std::make_unique<const TautSpace>(std::move(*space), options.watch);
     return planner;

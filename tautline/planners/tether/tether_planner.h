@@ -121,9 +121,19 @@ class TetherPlanner {
 
   const TautSpace& space() const { return *space_; }
   /// The free mesh without clearance: what a socket's stub may cross.
-  const FreeMesh& ungrown() const { return ungrown_ ? *ungrown_ : space_->mesh(); }
+  const FreeMesh& ungrown() const { return ungrown_ ? ungrown_->mesh : space_->mesh(); }
 
  private:
+  friend class PreparedFile;
+
+  /// The free space without clearance, where there is one.
+  struct Ungrown {
+    explicit Ungrown(FreeSpace free_space) : space(std::move(free_space)), mesh(space) {}
+
+    FreeSpace space;
+    FreeMesh mesh;
+  };
+
   TetherPlanner() = default;
 
   PreparedStart StartOf(const Tether& tether) const;
@@ -136,7 +146,7 @@ class TetherPlanner {
   Motion MotionAlong(const LaidCable& laid, const Polyline& path) const;
 
   std::unique_ptr<const TautSpace> space_;
-  std::unique_ptr<const FreeMesh> ungrown_;  ///< Only where there is a clearance.
+  std::unique_ptr<const Ungrown> ungrown_;
 };
 
 }  // namespace tautline
