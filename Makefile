@@ -9,6 +9,7 @@ FUZZ_SECONDS ?= 60
 export CMAKE_GENERATOR ?= $(if $(shell command -v ninja),Ninja,Unix Makefiles)
 
 TAUTLINE = build/release/apps/cli/tautline
+WASM = build/wasm/apps/wasm/tautline.js
 SOURCES = $(shell find tautline apps bench fuzz tests -name '*.h' -o -name '*.cc' 2>/dev/null)
 BUILD = cmake --build --parallel $(JOBS) --preset
 
@@ -29,6 +30,15 @@ test: release-with-tests  ## build everything and run all tests
 .PHONY: soak
 soak: release-with-tests  ## the random tests of engine and planner, SOAK_SCALE percent as long: 100,000 scenes
 	TAUTLINE_TEST_SCALE=$(SOAK_SCALE) ctest --preset release -R '^(homotopy|tether)/' --timeout 86400
+
+.PHONY: wasm
+wasm: packages-wasm  ## compile the core for browsers, compare it with the program on every scene
+	cmake --preset release
+	$(BUILD) release --target tautline_cli
+	cmake --preset wasm
+	$(BUILD) wasm
+	python3 -B tests/run_wasm.py $(TAUTLINE) $(WASM)
+	python3 -B tests/run_wasm_page.py $(WASM)
 
 .PHONY: asan tsan
 asan: packages-test  ## run the tests under the address and undefined-behaviour sanitizers
@@ -70,6 +80,6 @@ release-with-tests: packages-test
 	cmake --preset release
 	$(BUILD) release
 
-.PHONY: packages-demo packages-test packages-ci
-packages-demo packages-test packages-ci: packages-%:
+.PHONY: packages-demo packages-test packages-ci packages-wasm
+packages-demo packages-test packages-ci packages-wasm: packages-%:
 	@tools/install_packages.sh $*

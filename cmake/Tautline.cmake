@@ -10,11 +10,15 @@ include(GoogleTest)
 #   DEPENDS base ...            libraries of tautline, by their short names
 #   LINK Boost::headers ...     external targets that its headers need
 #   PRIVATE_LINK PNG::PNG ...   external targets that only its sources need
-#   NATIVE)                     needs a native library: installed, but found only with COMPONENTS native
+#   NATIVE)                     needs a native library: installed, but found only with COMPONENTS native; left out
+#                               where TAUTLINE_NATIVE is off
 #
 # Makes the target tautline_geometry, known to all as tautline::geometry, and installs it.
 function(tautline_library)
   cmake_parse_arguments(PARSE_ARGV 0 arg "NATIVE" "NAME" "HEADERS;SOURCES;DEPENDS;LINK;PRIVATE_LINK")
+  if(arg_NATIVE AND NOT TAUTLINE_NATIVE)
+    return()
+  endif()
   set(target tautline_${arg_NAME})
   if(arg_SOURCES)
     set(scope PUBLIC)

@@ -40,4 +40,9 @@ std::string Counted(std::size_t count, const std::string& singular, const std::s
   return fmt::format("{} {}", count, count == 1 ? singular : plural);
 }
 
+std::string DescribeVerification(int curves) {
+  if (curves == 0) return "";
+  return fmt::format("  verified {} taut curves: free, taut, with the words and lengths claimed\n", curves);
+}
+
 }  // namespace tautline::cli

@@ -23,6 +23,9 @@ std::string Describe(const Word& word, const std::vector<std::string>& names);
 /// "1 class", "3 classes".
 std::string Counted(std::size_t count, const std::string& singular, const std::string& plural);
 
+/// The line that tells of verified curves; nothing where there are none.
+std::string DescribeVerification(int curves);
+
 }  // namespace tautline::cli
 
 #endif  // APPS_CLI_DESCRIBE_H_

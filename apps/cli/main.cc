@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "apps/answers/exit_status.h"
 #include "apps/cli/commands.h"
-#include "apps/cli/exit_status.h"
 #include "apps/cli/output_file.h"
 
 namespace tautline::cli {
@@ -78,5 +78,5 @@ int main(int argc, char** argv) {
   } catch (const std::exception& fault) {
     std::fprintf(stderr, "tautline: a fault of tautline's own, please report it with the scene: %s\n", fault.what());
   }
-  return tautline::cli::kExitFault;
+  return tautline::kExitFault;
 }

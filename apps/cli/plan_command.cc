@@ -3,17 +3,12 @@
 
 #include <memory>
 
+#include "apps/answers/plan_answer.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/common_options.h"
 #include "apps/cli/describe.h"
-#include "apps/cli/exit_status.h"
-#include "apps/cli/json_values.h"
 #include "apps/cli/option_checks.h"
-#include "apps/cli/required_parts.h"
-#include "apps/cli/verification.h"
 #include "tautline/draw/draw_plan.h"
-#include "tautline/planners/tether/tether_planner.h"
-#include "tautline/planners/tether/verify_plan.h"
 
 namespace tautline::cli {
 namespace {
@@ -22,51 +17,6 @@ struct PlanCommand {
   CommonOptions common;
   PlanOptions options;
 };
-
-std::string StatusText(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::kSolved:
-      return "solved";
-    case PlanStatus::kInfeasible:
-      return "infeasible";
-    case PlanStatus::kBudgetExceeded:
-      return "budget_exceeded";
-  }
-  return "";
-}
-
-/// A motion as JSON: its path, and its tether with the limit.
-void AddMotion(const JsonValues& values, const Motion& motion, double limit, Json& json) {
-  json["path"] = values.Of(motion.path.points);
-  json["length"] = motion.path.length;
-  json["path_word"] = values.Of(motion.path.word);
-  json["tether"] = values.Of(motion.tether, "taut");
-  json["tether"]["limit"] = limit;
-}
-
-Json ToJson(const PlanResult& result, bool all, const FreeSpace& space) {
-  const JsonValues values(space);
-  Json json;
-  json["command"] = "plan";
-  json["status"] = StatusText(result.status);
-  if (result.status != PlanStatus::kSolved) {
-    json["reason"] = result.status == PlanStatus::kBudgetExceeded ? "budget_exceeded" : ToString(result.obstruction);
-    json["explanation"] = result.explanation;
-  }
-  if (result.motion) AddMotion(values, *result.motion, result.limit, json);
-  if (!result.start.points.empty()) json["start"] = values.Of(result.start, "taut");
-  if (result.shortest_tether) {
-    json["shortest_tether"] = result.shortest_tether->length;
-    json["shortest_tether_class"] = values.Of(*result.shortest_tether, "taut");
-  }
-  if (result.rejected) AddMotion(values, *result.rejected, result.limit, json["rejected"]);
-  if (all) {
-    json["all"] = Json::array();
-    for (const Motion& motion : result.all) AddMotion(values, motion, result.limit, json["all"].emplace_back());
-    json["all_complete"] = result.all_complete;
-  }
-  return json;
-}
 
 void DescribeAll(const PlanResult& result, const std::vector<std::string>& names, std::string& text) {
   if (result.all.empty()) return;
@@ -127,24 +77,15 @@ std::string ToText(const PlanResult& result, const FreeSpace& space) {
   return text;
 }
 
-int StatusOf(const PlanResult& result) { return result.status == PlanStatus::kSolved ? kExitSolved : kExitInfeasible; }
-
 Expected<int> RunPlan(const PlanCommand& command) {
   const auto scene = ReadScene(command.common);
   if (!scene) return tl::unexpected(scene.error());
-  if (const auto missing = MissingTetherOrGoal(*scene)) return tl::unexpected(*missing);
-  const auto planner = TetherPlanner::Prepare(scene->world);
-  if (!planner) return tl::unexpected(planner.error());
-  const PlanResult result = planner->Plan(*scene->tether, *scene->goal, command.options);
-  const FreeSpace& space = planner->space().free_space();
-  Json json = ToJson(result, command.options.all, space);
-  std::string text = ToText(result, space);
-  if (MustVerify(command.common)) {
-    const Verification verification = VerifyPlan(*planner, *scene->tether, *scene->goal, result);
-    ReportVerification(verification.faults, verification.curves, json, text);
-  }
-  const auto draw = [&] { return DrawPlan(*scene, space, result); };
-  return Deliver(command.common, {.json = json, .text = text, .draw = draw, .status = StatusOf(result)});
+  const auto answer = AnswerPlan(*scene, {.options = command.options, .verify = command.common.verify});
+  if (!answer) return tl::unexpected(answer.error());
+  const FreeSpace& space = answer->planner.space().free_space();
+  const std::string text = ToText(answer->result, space) + DescribeVerification(answer->verified_curves);
+  const auto draw = [&] { return DrawPlan(*scene, space, answer->result); };
+  return Deliver(command.common, {.json = answer->json, .text = text, .draw = draw, .status = answer->status});
 }
 
 }  // namespace

@@ -24,8 +24,10 @@ constexpr double Dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 /// Positive when b is to the left of a. For decisions use Orientation (predicates.h), which is exact.
 constexpr double Cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 
-inline double Norm(Point a) { return std::hypot(a.x, a.y); }
-inline double Distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
+/// Not std::hypot, whose last bit differs between mathematics libraries: program and browser would choose differently
+/// among ways of equal length. Coordinates go up to 1e15, so squares do not overflow.
+inline double Norm(Point a) { return std::sqrt(Dot(a, a)); }
+inline double Distance(Point a, Point b) { return Norm(b - a); }
 
 /// The point at fraction t of the way from a to b.
 constexpr Point Lerp(Point a, Point b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }

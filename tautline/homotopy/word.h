@@ -38,7 +38,9 @@ class Word {
   bool empty() const { return letters_.empty(); }
   std::size_t size() const { return letters_.size(); }
 
-  friend auto operator<=>(const Word&, const Word&) = default;
+  friend bool operator==(const Word&, const Word&) = default;
+  // By hand: the standard library of the browser's compiler has no <=> for vectors.
+  friend bool operator<(const Word& a, const Word& b) { return a.letters_ < b.letters_; }
 
  private:
   std::vector<Letter> letters_;

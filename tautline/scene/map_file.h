@@ -10,9 +10,8 @@
 
 namespace tautline {
 
-/// Reads the map in `path`, told by its extension: `.yaml` and `.yml` are ROS maps, whose image (PGM or PNG) is looked
-/// up beside them, `.map` is MovingAI, `.geojson` and `.json` are GeoJSON. Errors: kUnreadable (no such file; also of
-/// the image), kUnsupported for another extension, and those of the readers, with file and line. O(size).
+/// Reads the map in `path` and the image beside it: ReadMap with files, YAML and PNG. Errors: kUnreadable (no such
+/// file; also of the image), and those of ReadMap. O(size).
 [[nodiscard]] Expected<MapWorld> ReadMapFile(const std::string& path, const SceneOptions& options = {});
 
 }  // namespace tautline

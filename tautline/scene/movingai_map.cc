@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "tautline/scene/raster_image.h"
 #include "tautline/scene/text_lines.h"
@@ -60,7 +61,8 @@ Expected<OccupancyGrid> ParseMovingAiMap(std::string_view text, const std::strin
   TextLines lines(text);
   const auto header = ReadHeader(lines, file);
   if (!header) return tl::unexpected<Error>(header.error());
-  if (static_cast<std::size_t>(header->height) * static_cast<std::size_t>(header->width) > kMaxCells) {
+  // Not as std::size_t, which has 32 bits in the browser.
+  if (static_cast<std::uint64_t>(header->height) * static_cast<std::uint64_t>(header->width) > kMaxCells) {
     return tl::unexpected<Error>(
         Error{ErrorCode::kLimitExceeded, "more than 8192 x 8192 cells: cut or scale the map", file});
   }

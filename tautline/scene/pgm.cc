@@ -101,7 +101,8 @@ Expected<RasterImage> ParsePgm(std::string_view bytes, const std::string& file) 
     return InvalidInput("the PGM header must hold width, height and a largest value of 1 to 65535",
                         scanner.Where(file));
   }
-  if (static_cast<std::size_t>(*columns) * static_cast<std::size_t>(*rows) > kMaxCells) {
+  // Not as std::size_t, which has 32 bits in the browser.
+  if (*columns * *rows > static_cast<std::int64_t>(kMaxCells)) {
     return tl::unexpected<Error>(
         Error{ErrorCode::kLimitExceeded, "more than 8192 x 8192 pixels: scale the map down", file});
   }

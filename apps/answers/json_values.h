@@ -1,6 +1,6 @@
 // Library values as JSON.
-#ifndef APPS_CLI_JSON_VALUES_H_
-#define APPS_CLI_JSON_VALUES_H_
+#ifndef APPS_ANSWERS_JSON_VALUES_H_
+#define APPS_ANSWERS_JSON_VALUES_H_
 
 #include <nlohmann/json.hpp>
 #include <span>
@@ -10,7 +10,7 @@
 #include "tautline/homotopy/taut_path.h"
 #include "tautline/scene/free_space.h"
 
-namespace tautline::cli {
+namespace tautline {
 
 using Json = nlohmann::ordered_json;
 
@@ -34,6 +34,6 @@ class JsonValues {
   double per_unit_;  ///< A power of ten; coordinates are multiples of its inverse.
 };
 
-}  // namespace tautline::cli
+}  // namespace tautline
 
-#endif  // APPS_CLI_JSON_VALUES_H_
+#endif  // APPS_ANSWERS_JSON_VALUES_H_

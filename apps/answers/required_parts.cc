@@ -1,6 +1,6 @@
-#include "apps/cli/required_parts.h"
+#include "apps/answers/required_parts.h"
 
-namespace tautline::cli {
+namespace tautline {
 
 std::optional<Error> MissingTether(const Scene& scene) {
   if (scene.tether) return std::nullopt;
@@ -14,4 +14,4 @@ std::optional<Error> MissingTetherOrGoal(const Scene& scene) {
   return Error{ErrorCode::kInvalidInput, "the scene has no goal; add `goal: [x, y]`", scene.path};
 }
 
-}  // namespace tautline::cli
+}  // namespace tautline

@@ -1,8 +1,8 @@
-#include "apps/cli/json_values.h"
+#include "apps/answers/json_values.h"
 
 #include <cmath>
 
-namespace tautline::cli {
+namespace tautline {
 
 JsonValues::JsonValues(const FreeSpace& space)
     : names_(NamesOf(space)), per_unit_(std::pow(10.0, std::floor(-std::log10(2 * space.grid)))) {}
@@ -31,4 +31,4 @@ Json JsonValues::Of(const TautPath& path, const std::string& points_key) const {
   return value;
 }
 
-}  // namespace tautline::cli
+}  // namespace tautline

@@ -1,8 +1,8 @@
 // The exit statuses of the program; see docs/formats.md.
-#ifndef APPS_CLI_EXIT_STATUS_H_
-#define APPS_CLI_EXIT_STATUS_H_
+#ifndef APPS_ANSWERS_EXIT_STATUS_H_
+#define APPS_ANSWERS_EXIT_STATUS_H_
 
-namespace tautline::cli {
+namespace tautline {
 
 enum ExitStatus : int {
   kExitSolved = 0,
@@ -11,6 +11,6 @@ enum ExitStatus : int {
   kExitInfeasible = 3,  ///< Well posed, and without a solution.
 };
 
-}  // namespace tautline::cli
+}  // namespace tautline
 
-#endif  // APPS_CLI_EXIT_STATUS_H_
+#endif  // APPS_ANSWERS_EXIT_STATUS_H_

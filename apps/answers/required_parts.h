@@ -1,13 +1,13 @@
 // What a command needs from its scene.
-#ifndef APPS_CLI_REQUIRED_PARTS_H_
-#define APPS_CLI_REQUIRED_PARTS_H_
+#ifndef APPS_ANSWERS_REQUIRED_PARTS_H_
+#define APPS_ANSWERS_REQUIRED_PARTS_H_
 
 #include <optional>
 
 #include "tautline/base/error.h"
 #include "tautline/scene/scene.h"
 
-namespace tautline::cli {
+namespace tautline {
 
 /// The error that says how to add them, when the scene lacks a tether.
 std::optional<Error> MissingTether(const Scene& scene);
@@ -15,6 +15,6 @@ std::optional<Error> MissingTether(const Scene& scene);
 /// The same for a tether and a goal.
 std::optional<Error> MissingTetherOrGoal(const Scene& scene);
 
-}  // namespace tautline::cli
+}  // namespace tautline
 
-#endif  // APPS_CLI_REQUIRED_PARTS_H_
+#endif  // APPS_ANSWERS_REQUIRED_PARTS_H_

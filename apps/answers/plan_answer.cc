@@ -1,0 +1,75 @@
+#include "apps/answers/plan_answer.h"
+
+#include <string>
+#include <utility>
+
+#include "apps/answers/required_parts.h"
+#include "apps/answers/verification.h"
+#include "tautline/planners/tether/verify_plan.h"
+
+namespace tautline {
+namespace {
+
+std::string StatusText(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kSolved:
+      return "solved";
+    case PlanStatus::kInfeasible:
+      return "infeasible";
+    case PlanStatus::kBudgetExceeded:
+      return "budget_exceeded";
+  }
+  return "";
+}
+
+/// A motion as JSON: its path, and its tether with the limit.
+void AddMotion(const JsonValues& values, const Motion& motion, double limit, Json& json) {
+  json["path"] = values.Of(motion.path.points);
+  json["length"] = motion.path.length;
+  json["path_word"] = values.Of(motion.path.word);
+  json["tether"] = values.Of(motion.tether, "taut");
+  json["tether"]["limit"] = limit;
+}
+
+Json ToJson(const PlanResult& result, bool all, const FreeSpace& space) {
+  const JsonValues values(space);
+  Json json;
+  json["command"] = "plan";
+  json["status"] = StatusText(result.status);
+  if (result.status != PlanStatus::kSolved) {
+    json["reason"] = result.status == PlanStatus::kBudgetExceeded ? "budget_exceeded" : ToString(result.obstruction);
+    json["explanation"] = result.explanation;
+  }
+  if (result.motion) AddMotion(values, *result.motion, result.limit, json);
+  if (!result.start.points.empty()) json["start"] = values.Of(result.start, "taut");
+  if (result.shortest_tether) {
+    json["shortest_tether"] = result.shortest_tether->length;
+    json["shortest_tether_class"] = values.Of(*result.shortest_tether, "taut");
+  }
+  if (result.rejected) AddMotion(values, *result.rejected, result.limit, json["rejected"]);
+  if (all) {
+    json["all"] = Json::array();
+    for (const Motion& motion : result.all) AddMotion(values, motion, result.limit, json["all"].emplace_back());
+    json["all_complete"] = result.all_complete;
+  }
+  return json;
+}
+
+}  // namespace
+
+Expected<PlanAnswer> AnswerPlan(const Scene& scene, const PlanQuestion& question) {
+  if (const auto missing = MissingTetherOrGoal(scene)) return tl::unexpected(*missing);
+  auto planner = TetherPlanner::Prepare(scene.world);
+  if (!planner) return tl::unexpected(planner.error());
+  PlanAnswer answer{.planner = std::move(*planner)};
+  answer.result = answer.planner.Plan(*scene.tether, *scene.goal, question.options);
+  answer.json = ToJson(answer.result, question.options.all, answer.planner.space().free_space());
+  answer.status = answer.result.status == PlanStatus::kSolved ? kExitSolved : kExitInfeasible;
+  if (MustVerify(question.verify)) {
+    const Verification verification = VerifyPlan(answer.planner, *scene.tether, *scene.goal, answer.result);
+    answer.verified_curves = ReportVerification(verification.faults, verification.curves, answer.json);
+  }
+  return answer;
+}
+
+}  // namespace tautline

@@ -1,0 +1,79 @@
+#include "apps/answers/taut_answer.h"
+
+#include <utility>
+#include <vector>
+
+#include "apps/answers/required_parts.h"
+#include "apps/answers/verification.h"
+#include "tautline/planners/tether/explain.h"
+#include "tautline/planners/tether/verify_plan.h"
+
+namespace tautline {
+namespace {
+
+/// The taut curve, or why the cable cannot lie as it is said to.
+struct Pulled {
+  TautPath taut;
+  bool has_stub = false;
+  std::string reason;
+  std::string explanation;
+};
+
+Pulled Pull(const TetherPlanner& planner, const Tether& tether) {
+  const auto laid = planner.FollowLaidCable(tether);
+  if (!laid) {
+    const LaidCableFault& fault = laid.error();
+    return {{}, false, ToString(fault.obstruction), ExplainLaidCable(planner.space(), fault.obstruction, fault.at)};
+  }
+  return {planner.TetherAlong(laid->socket, laid->walk), laid->socket.stub_length > 0, "", ""};
+}
+
+Json ToJson(const Pulled& pulled, const FreeSpace& space) {
+  Json json;
+  json["command"] = "taut";
+  json["status"] = pulled.reason.empty() ? "solved" : "infeasible";
+  if (!pulled.reason.empty()) {
+    json["reason"] = pulled.reason;
+    json["explanation"] = pulled.explanation;
+    return json;
+  }
+  const JsonValues values(space);
+  json["taut"] = values.Of(pulled.taut.points);
+  json["length"] = pulled.taut.length;
+  json["word"] = values.Of(pulled.taut.word);
+  json["homology"] = Abelianize(pulled.taut.word, space.islands.size());
+  json["obstacles"] = NamesOf(space);
+  return json;
+}
+
+std::vector<std::string> Faults(const Pulled& pulled, const TautSpace& space, const Tether& tether) {
+  std::vector<std::string> faults = CurveFaults(space.free_space(), pulled.taut, pulled.has_stub);
+  if (!pulled.has_stub && space.rays().WordOf(*tether.laid) != pulled.taut.word) {
+    faults.emplace_back("the taut curve is not in the class of the laid cable");
+  }
+  return faults;
+}
+
+}  // namespace
+
+Expected<TautAnswer> AnswerTaut(const Scene& scene, const TautQuestion& question) {
+  if (const auto missing = MissingTether(scene)) return tl::unexpected(*missing);
+  const Tether& tether = *scene.tether;
+  if (!tether.laid) {
+    return InvalidInput("the tether has no laid cable; add `laid: [[x, y], ...]`, base first, robot last", scene.path);
+  }
+  auto planner = TetherPlanner::Prepare(scene.world);
+  if (!planner) return tl::unexpected(planner.error());
+  TautAnswer answer{.planner = std::move(*planner)};
+  Pulled pulled = Pull(answer.planner, tether);
+  answer.json = ToJson(pulled, answer.planner.space().free_space());
+  answer.status = pulled.reason.empty() ? kExitSolved : kExitInfeasible;
+  if (MustVerify(question.verify) && pulled.reason.empty()) {
+    answer.verified_curves = ReportVerification(Faults(pulled, answer.planner.space(), tether), 1, answer.json);
+  }
+  answer.taut = std::move(pulled.taut);
+  answer.explanation = std::move(pulled.explanation);
+  return answer;
+}
+
+}  // namespace tautline

@@ -1,0 +1,131 @@
+#include "apps/wasm/ask_options.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include "tautline/scene/document.h"
+#include "tautline/scene/field_reader.h"
+#include "tautline/scene/json_document.h"
+
+namespace tautline::wasm {
+namespace {
+
+/// Reads the members of one object, each into its place where it is there.
+class OptionsReader {
+ public:
+  explicit OptionsReader(const Document& options) : options_(options), reader_("options") {}
+
+  void Flag(const char* key, bool& to) {
+    const Document* value = options_.Find(key);
+    if (value == nullptr) return;
+    if (!value->is(Document::Kind::kBool)) {
+      return reader_.Fail(value->position, std::string(key) + " must be true or false, not " + Describe(*value));
+    }
+    to = value->boolean;
+  }
+
+  /// A whole number of 1 or more.
+  template <class Count>
+  void AtLeastOne(const char* key, Count& to) {
+    const Document* value = options_.Find(key);
+    if (value == nullptr) return;
+    const double number = reader_.ReadNumber(*value, key);
+    if (reader_.ok() && (number < 1 || number != std::floor(number))) {
+      reader_.Fail(value->position, std::string(key) + " must be a whole number of 1 or more");
+    }
+    if (reader_.ok()) to = static_cast<std::int64_t>(number);
+  }
+
+  /// Metres, 0 or more.
+  template <class Length>
+  void NonNegative(const char* key, Length& to) {
+    if (const Document* value = options_.Find(key)) to = reader_.ReadNonNegative(*value, key);
+  }
+
+  void APoint(const char* key, std::optional<Point>& to) {
+    if (const Document* value = options_.Find(key)) to = reader_.ReadPoint(*value, key);
+  }
+
+  void Word(std::optional<std::string>& to) {
+    const Document* value = options_.Find("word");
+    if (value == nullptr) return;
+    if (options_.Find("max_length") != nullptr || options_.Find("count") != nullptr) {
+      return reader_.Fail(value->position, "word excludes max_length and count: one word has one class");
+    }
+    // The empty text is the empty word, which ReadText would refuse.
+    const bool is_empty = value->is(Document::Kind::kString) && value->text.empty();
+    to = is_empty ? "" : reader_.ReadText(*value, "word");
+  }
+
+  void Unknown(bool& is_free) {
+    const Document* value = options_.Find("unknown");
+    if (value == nullptr) return;
+    const std::string text = reader_.ReadText(*value, "unknown");
+    if (reader_.ok() && text != "blocked" && text != "free") {
+      reader_.Fail(value->position, "unknown is " + Quoted(text) + ": it must be blocked or free");
+    }
+    is_free = text == "free";
+  }
+
+  FieldReader& reader() { return reader_; }
+
+ private:
+  const Document& options_;
+  FieldReader reader_;
+};
+
+void ReadPlan(OptionsReader& options, PlanQuestion& question) {
+  options.Flag("verify", question.verify);
+  options.Flag("all", question.options.all);
+  options.AtLeastOne("count", question.options.max_all);
+  options.AtLeastOne("budget", question.options.budget);
+}
+
+void ReadClasses(OptionsReader& options, ClassesQuestion& question) {
+  options.Flag("verify", question.verify);
+  options.APoint("from", question.from);
+  options.APoint("to", question.to);
+  options.NonNegative("max_length", question.options.max_length);
+  options.AtLeastOne("count", question.options.max_count);
+  options.Word(question.word);
+  options.AtLeastOne("budget", question.options.budget);
+}
+
+void RefuseUnknownKeys(const std::string& command, const Document& document, FieldReader& reader) {
+  const std::string what = "the options of " + command;
+  if (command == "plan") {
+    reader.KnownKeys(document, what, {"svg", "verify", "unknown", "simplify", "all", "count", "budget"});
+  } else if (command == "classes") {
+    reader.KnownKeys(document, what,
+                     {"svg", "verify", "unknown", "simplify", "from", "to", "max_length", "count", "word", "budget"});
+  } else {
+    reader.KnownKeys(document, what, {"svg", "verify", "unknown", "simplify"});
+  }
+}
+
+}  // namespace
+
+Expected<AskOptions> ReadAskOptions(const std::string& command, const std::string& text) {
+  if (command != "plan" && command != "classes" && command != "taut" && command != "show") {
+    return InvalidInput("there is no command " + Quoted(command) + "; there are plan, classes, taut and show");
+  }
+  AskOptions asked;
+  if (text.empty()) return asked;
+  const auto document = ParseJson(text, "options");
+  if (!document) return tl::unexpected(document.error());
+  OptionsReader options(*document);
+  FieldReader& reader = options.reader();
+  if (reader.IsMap(*document, "options")) {
+    RefuseUnknownKeys(command, *document, reader);
+    options.Flag("svg", asked.svg);
+    options.Unknown(asked.scene.unknown_free);
+    options.NonNegative("simplify", asked.scene.simplify);
+    if (command == "plan") ReadPlan(options, asked.plan);
+    if (command == "classes") ReadClasses(options, asked.classes);
+    if (command == "taut") options.Flag("verify", asked.taut.verify);
+  }
+  if (!reader.ok()) return tl::unexpected(reader.error());
+  return asked;
+}
+
+}  // namespace tautline::wasm
