@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "tautline/base/error.h"
 #include "tautline/geometry/polygon.h"
 #include "tautline/scene/document.h"
+#include "tautline/scene/number_fault.h"
 
 namespace tautline {
 
@@ -34,6 +36,9 @@ class FieldReader {
   /// Records the error unless there is one already.
   void Fail(Position at, std::string message, ErrorCode code = ErrorCode::kInvalidInput);
   void Fail(Error error);
+
+  /// Records what is wrong with `what`, if anything is.
+  void Check(const std::optional<Fault>& fault, Position at, std::string_view what);
 
   /// Whether the value has the form; records an error when not.
   bool IsMap(const Document& value, std::string_view what);
@@ -68,9 +73,6 @@ std::string_view NearestName(std::string_view name, std::span<const std::string_
 
 /// "what[3]", counting from 1.
 std::string Element(std::string_view what, std::size_t index);
-
-/// "(1.5, -2)".
-std::string ToText(Point point);
 
 }  // namespace tautline
 

@@ -30,8 +30,10 @@ struct FreeComponent {
 
 /// An island of blocked ground: a letter of the words of this free space.
 struct Island {
-  std::string name;                  ///< Of the first of `members`.
-  Point representative;              ///< Strictly inside; its upward ray writes the letter.
+  std::string name;                  ///< Of the first of `members`; a further piece of an obstacle that has no width
+                                     ///< somewhere is called NAME_2, NAME_3, ...
+  Point representative;              ///< Strictly inside; its upward ray writes the letter. That of the obstacle, where
+                                     ///< it lies in this island.
   std::vector<std::string> members;  ///< Names of the obstacles merged into it, in the order of the scene.
   double area = 0;                   ///< Square metres, with clearance, without courtyards.
 };

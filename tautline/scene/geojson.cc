@@ -221,8 +221,11 @@ void Project(std::vector<Piece>& pieces, const Box& box, Position at, FieldReade
 
 void CheckPieces(const std::vector<Piece>& pieces, FieldReader& reader) {
   for (const Piece& piece : pieces) {
-    CheckRing(piece.polygon.outer, "the polygon", piece.position, reader);
-    for (const Ring& hole : piece.polygon.holes) CheckRing(hole, "a hole of the polygon", piece.position, reader);
+    if (!reader.ok()) return;
+    reader.Check(RingFault(piece.polygon.outer), piece.position, "the polygon");
+    for (const Ring& hole : piece.polygon.holes) {
+      reader.Check(RingFault(hole), piece.position, "a hole of the polygon");
+    }
   }
 }
 
