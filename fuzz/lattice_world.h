@@ -64,7 +64,7 @@ inline Obstacle AnyObstacle(Lattice& lattice, std::string name) {
     return obstacle;
   }
   obstacle.polygon = PolygonWithHoles{AnyRing(lattice), {}};
-  if (kind == 1) obstacle.polygon->holes.push_back(AnyRing(lattice));
+  if (kind == 1) obstacle.polygon->holes.push_back(AnyRing(lattice));  // Refused unless it lies inside.
   return obstacle;
 }
 

@@ -39,6 +39,10 @@ std::optional<Fault> PolygonFault(const PolygonWithHoles& polygon, bool from_map
   if (auto fault = check(polygon.outer)) return fault;
   for (const Ring& hole : polygon.holes) {
     if (const auto fault = check(hole)) return PartFault(fault, " hole");
+    const auto outside = [&polygon](Point p) { return !ContainsPoint(polygon.outer, p); };
+    if (!from_map && std::any_of(hole.begin(), hole.end(), outside)) {
+      return Fault{" hole does not lie inside the polygon: move it or leave it out"};
+    }
   }
   return std::nullopt;
 }
@@ -78,8 +82,8 @@ PointCount CountPoints(const World& world, const FreeSpaceOptions& options) {
     if (obstacle.circle) {
       count.points += sides;
       count.grown += sides;
-      continue;
     }
+    if (!obstacle.polygon) continue;
     add(obstacle.polygon->outer);
     std::for_each(obstacle.polygon->holes.begin(), obstacle.polygon->holes.end(), add);
   }
@@ -108,11 +112,12 @@ std::optional<Found> FindFault(const World& world, const FreeSpaceOptions& optio
   }
   if (auto found = Named(NonNegativeFault(world.snap), "world.snap")) return found;
   if (auto found = Named(ArcErrorFault(options.arc_error), "arc_error")) return found;
+  if (auto found = SizeFault(world, options)) return found;
   if (auto found = Named(RingFault(world.outline), "world.outline")) return found;
   for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
     if (const auto fault = ObstacleFault(world.obstacles[i])) return Named(fault, NameOf(world, i));
   }
-  return SizeFault(world, options);
+  return std::nullopt;
 }
 
 }  // namespace

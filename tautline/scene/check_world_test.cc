@@ -84,6 +84,8 @@ TEST(CheckWorld, PolygonsAreRings) {
             "nearer or check the units");
   EXPECT_EQ(ErrorOfWorld([](World& world) { world.obstacles[0].polygon->holes.push_back({}); }),
             "world.obstacles[1] 'pillar'.polygon hole has 0 points: it needs 3 or more");
+  EXPECT_EQ(ErrorOfWorld([](World& world) { world.obstacles[0].polygon->holes[0][1].x = 7; }),
+            "world.obstacles[1] 'pillar'.polygon hole does not lie inside the polygon: move it or leave it out");
   EXPECT_EQ(ErrorOfWorld([](World& world) {
               world.obstacles[0].from_map = true;
               world.obstacles[0].polygon->outer[1].y = kNan;
@@ -152,6 +154,7 @@ TEST(CheckWorld, TooManyCornersAreRefusedBeforeAnyWork) {
               options.arc_error = kSmallestArcError;
               world.clearance = 0.1;
               Ring& comb = world.obstacles[0].polygon->outer;
+              world.obstacles[0].polygon->holes.clear();
               comb = {{1, 1}};
               for (int i = 0; i < 120000; ++i) comb.push_back({1 + 1e-4 * i, 2.0 + i % 2});
               comb.push_back({13, 1});

@@ -246,7 +246,9 @@ Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& o
 
 double BoundaryTolerance(const FreeSpace& space) {
   constexpr double kRounding = 1e-6;  // A printed decimal less than what people write.
-  return std::max(std::min(space.snap, kRounding), 4 * space.grid);
+  // Growth is up to 6 spacings more than the clearance; printed coordinates are rounded by up to 10.
+  constexpr double kSpacings = 16;
+  return std::max(std::min(space.snap, kRounding), kSpacings * space.grid);
 }
 
 std::vector<std::string> NamesOf(const FreeSpace& space) {

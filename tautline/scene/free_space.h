@@ -15,7 +15,7 @@ namespace tautline {
 
 /// One closed boundary curve of the free space. The free space lies on its left: outer rings run counter-clockwise,
 /// rings around obstacles clockwise. No vertex is collinear with its neighbours; a ring may touch itself or another
-/// ring in a vertex, never cross.
+/// ring in a point that is a vertex of either, never cross.
 struct BoundaryRing {
   Ring points;
   ObstacleId obstacle;  ///< The island that it bounds; invalid when it bounds (something merged with) the wall.

@@ -215,6 +215,27 @@ TEST(FreeSpace, WhatMeetsTheWallIsWall) {
   EXPECT_EQ(space->merges[0].members, (std::vector<std::string>{"leaning", "crossing", "outside", "indirect"}));
 }
 
+TEST(FreeSpace, AnObstacleWithoutWidthSomewhereIsSeveralIslands) {
+  Obstacle dumbbell;
+  dumbbell.name = "dumbbell";
+  dumbbell.polygon =
+      PolygonWithHoles{{{1, 4}, {2, 4}, {2, 5}, {6, 5}, {6, 3}, {9, 3}, {9, 7}, {6, 7}, {6, 5}, {2, 5}, {2, 6}, {1, 6}}, {}};
+  World world = Room({dumbbell, Block("dumbbell_2", {1, 1}, {2, 2})});
+  const Expected<FreeSpace> space = BuildFreeSpace(world);
+  ASSERT_TRUE(space) << ToString(space.error());
+  ASSERT_EQ(space->islands.size(), 3u);
+  EXPECT_EQ(space->islands[0].name, "dumbbell");
+  EXPECT_EQ(space->islands[0].area, 2);
+  EXPECT_EQ(space->islands[2].name, "dumbbell_3");
+  EXPECT_EQ(space->islands[2].members, std::vector<std::string>{"dumbbell"});
+  EXPECT_EQ(space->islands[2].area, 12);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(IslandWinding(*space, ObstacleId(i), space->islands[i].representative), -1) << i;
+  }
+  world.clearance = 0.1;
+  EXPECT_EQ(BuildFreeSpace(world)->islands.size(), 2u) << "grown, its neck has a width";
+}
+
 TEST(FreeSpace, ClearanceMergesWhatComesTooNear) {
   World world = Room({Block("a", {2, 2}, {4, 4}), Block("b", {5, 2}, {7, 4}), Block("c", {4, 8}, {5, 9.5})});
   world.clearance = 0.6;
