@@ -45,21 +45,21 @@ void CheckEdges(const std::vector<Ring>& rings) {
 }
 
 void CheckAreas(const World& world, const FreeSpace& space) {
+  const double outline = std::fabs(SignedArea(world.outline)), extent = Norm(space.box.size());
+  const double rounding = 1e-13 * extent * extent;  // Of SignedArea; of slivers, that is more than their area.
   double sum = 0;
   for (const FreeComponent& component : space.components) {
     double area = SignedArea(component.outer.points);
-    TAUTLINE_CHECK(area > 0);
+    TAUTLINE_CHECK(area > -rounding);
     for (const BoundaryRing& hole : component.holes) {
       TAUTLINE_CHECK(hole.obstacle.valid());
-      TAUTLINE_CHECK(SignedArea(hole.points) < 0);
+      TAUTLINE_CHECK(SignedArea(hole.points) < rounding);
       area += SignedArea(hole.points);
     }
-    const double scale = std::fabs(SignedArea(component.outer.points));
-    TAUTLINE_CHECK(std::fabs(area - component.area) <= 1e-9 * scale);
+    TAUTLINE_CHECK(std::fabs(area - component.area) <= rounding);
     TAUTLINE_CHECK(component.area > 0);
     sum += component.area;
   }
-  const double outline = std::fabs(SignedArea(world.outline)), extent = Norm(space.box.size());
   TAUTLINE_CHECK(sum <= outline * (1 + 1e-9) + 16 * extent * (space.grid + world.snap));
 }
 

@@ -144,17 +144,19 @@ std::string FieldReader::ReadName(const Document& value, std::string_view what) 
   return name;
 }
 
+void FieldReader::CountPoint(Position at) {
+  if (++points_ <= kMaxScenePoints) return;
+  Fail(at, "more than " + std::to_string(kMaxScenePoints) + " points: simplify the file", ErrorCode::kLimitExceeded);
+}
+
 Point FieldReader::ReadPoint(const Document& value, std::string_view what) {
   if (!ok_) return {};
   if (!value.is(Kind::kList) || value.items.size() != 2) {
     Fail(value.position, std::string(what) + " must be a point [x, y], not " + Describe(value));
     return {};
   }
-  if (++points_ > kMaxScenePoints) {
-    Fail(value.position, "more than " + std::to_string(kMaxScenePoints) + " points: simplify the scene",
-         ErrorCode::kLimitExceeded);
-    return {};
-  }
+  CountPoint(value.position);
+  if (!ok_) return {};
   const Point point{ReadNumber(value.items[0], what), ReadNumber(value.items[1], what)};
   Check(PointFault(point), value.position, what);
   return point;

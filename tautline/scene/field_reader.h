@@ -58,6 +58,9 @@ class FieldReader {
   /// A name of an obstacle or a robot: a text that is not empty and holds neither blanks nor '^'.
   std::string ReadName(const Document& value, std::string_view what);
 
+  /// Counts towards kMaxScenePoints; an error beyond it.
+  void CountPoint(Position at);
+
   Point ReadPoint(const Document& value, std::string_view what);
   Polyline ReadPoints(const Document& value, std::string_view what, std::size_t at_least);
 

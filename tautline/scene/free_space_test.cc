@@ -218,8 +218,8 @@ TEST(FreeSpace, WhatMeetsTheWallIsWall) {
 TEST(FreeSpace, AnObstacleWithoutWidthSomewhereIsSeveralIslands) {
   Obstacle dumbbell;
   dumbbell.name = "dumbbell";
-  dumbbell.polygon =
-      PolygonWithHoles{{{1, 4}, {2, 4}, {2, 5}, {6, 5}, {6, 3}, {9, 3}, {9, 7}, {6, 7}, {6, 5}, {2, 5}, {2, 6}, {1, 6}}, {}};
+  dumbbell.polygon = PolygonWithHoles{
+      {{1, 4}, {2, 4}, {2, 5}, {6, 5}, {6, 3}, {9, 3}, {9, 7}, {6, 7}, {6, 5}, {2, 5}, {2, 6}, {1, 6}}, {}};
   World world = Room({dumbbell, Block("dumbbell_2", {1, 1}, {2, 2})});
   const Expected<FreeSpace> space = BuildFreeSpace(world);
   ASSERT_TRUE(space) << ToString(space.error());

@@ -140,6 +140,7 @@ class Collector {
     Ring ring;
     if (!reader_.ok() || !reader_.IsList(coordinates, "a ring")) return ring;
     for (const Document& position : coordinates.items) {
+      reader_.CountPoint(position.position);
       if (!position.is(Kind::kList) || position.items.size() < 2) {
         reader_.Fail(position.position,
                      "a position must be [x, y] or [longitude, latitude], not " + Describe(position));
