@@ -59,7 +59,7 @@ Expected<void> AddPictures(const CommonOptions& options, const Answer& answer, O
   if (!options.png.empty()) {
     const auto png = RenderPng(svg);
     if (!png) return tl::unexpected(png.error());
-    if (const auto added = files.Add(options.png, *png); !added) return added;
+    if (auto added = files.Add(options.png, *png); !added) return added;
   }
   return options.svg.empty() ? Expected<void>{} : files.Add(options.svg, svg);
 }
