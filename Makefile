@@ -3,7 +3,8 @@
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 SOAK_SCALE ?= 10000
-FUZZ_SECONDS ?= 60
+FUZZ_SECONDS ?= 600
+FUZZ_JOBS ?= 2
 
 # Expanded when a recipe runs, that is, after ninja may have been installed.
 export CMAKE_GENERATOR ?= $(if $(shell command -v ninja),Ninja,Unix Makefiles)
@@ -60,10 +61,10 @@ tidy: packages-ci  ## run clang-tidy over all sources but the tests
 	run-clang-tidy-14 -quiet -j $(JOBS) -p build/release '/(tautline|apps)/(?!.*_test\.cc$$).*\.cc$$'
 
 .PHONY: fuzz
-fuzz: packages-ci  ## run each fuzz target for FUZZ_SECONDS
+fuzz: packages-ci  ## run each fuzz target for FUZZ_SECONDS, FUZZ_JOBS at a time
 	cmake --preset fuzz
-	$(BUILD) fuzz
-	tools/run_fuzzers.sh build/fuzz/fuzz $(FUZZ_SECONDS)
+	$(BUILD) fuzz --target fuzzers
+	tools/run_fuzzers.sh build/fuzz/fuzz $(FUZZ_SECONDS) $(FUZZ_JOBS)
 
 .PHONY: install
 install: packages-demo  ## install the program and the library to PREFIX

@@ -67,10 +67,20 @@ function(tautline_test)
 endfunction()
 
 # tautline_fuzzer(NAME scene_fuzz SOURCES scene_fuzz.cc LINK tautline::scene ...)
+#
+# A fuzzer, or, in builds without fuzzers, the test corpus/scene_fuzz that replays the files in corpus/scene_fuzz.
 function(tautline_fuzzer)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;LINK")
   add_executable(${arg_NAME} ${arg_SOURCES})
-  target_link_libraries(${arg_NAME} PRIVATE ${arg_LINK} -fsanitize=fuzzer)
+  target_link_libraries(${arg_NAME} PRIVATE ${arg_LINK})
+  if(TAUTLINE_BUILD_FUZZERS)
+    target_link_libraries(${arg_NAME} PRIVATE -fsanitize=fuzzer)
+    add_dependencies(fuzzers ${arg_NAME})
+    return()
+  endif()
+  target_sources(${arg_NAME} PRIVATE replay_corpus.cc)
+  add_test(NAME corpus/${arg_NAME} COMMAND ${arg_NAME} "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${arg_NAME}")
+  set_tests_properties(corpus/${arg_NAME} PROPERTIES LABELS corpus)
 endfunction()
 
 # Installs tautlineConfig.cmake, after all libraries are declared.

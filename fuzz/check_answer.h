@@ -30,10 +30,16 @@ inline void CheckTrace(const OccupancyGrid& grid) {
   unit.origin = {0, 0};
   unit.yaw_rad = 0;
   double area = 0;
+  std::size_t corners = 0;
   for (const PolygonWithHoles& polygon : TraceBlockedCells(unit)) {
     area += SignedArea(polygon.outer);
-    for (const Ring& hole : polygon.holes) area += SignedArea(hole);
+    corners += polygon.outer.size();
+    for (const Ring& hole : polygon.holes) {
+      area += SignedArea(hole);
+      corners += hole.size();
+    }
   }
+  TAUTLINE_CHECK(corners == CountTracedCorners(unit));
   TAUTLINE_CHECK(std::fabs(area - static_cast<double>(CountCells(unit, CellState::kBlocked))) < 1e-3);
 }
 

@@ -1,11 +1,10 @@
-// MovingAI maps and problems.
+// MovingAI maps.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 #include "fuzz/check_answer.h"
 #include "tautline/scene/movingai_map.h"
-#include "tautline/scene/movingai_scen.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tautline;
@@ -13,6 +12,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto grid = ParseMovingAiMap(text, "m.map");
   fuzz::CheckAnswer(grid);
   if (grid) fuzz::CheckTrace(*grid);
-  fuzz::CheckAnswer(ParseMovingAiScen(text, "m.scen"));
   return 0;
 }

@@ -64,6 +64,8 @@ BROKEN = {
     "length as text": ({**world(), "tether": {"base": [1, 1], "length": "18"}}, True),
     "laid cable away from the base": ({**world(), "tether": {"base": [1, 1], "length": 9, "laid": [[2, 2]]}}, False),
     "goal of three numbers": ({**world(), "goal": [1, 2, 3]}, True),
+    "goal beyond 1e7 metres": ({**world(), "goal": [1, -1.1e7]}, True),
+    "circle beyond 1e7 metres": (obstacle(circle=[9e6, 0, 2e6]), False),
     "goal without a world": ({"goal": [1, 2], "fleet": {"robots": []}}, True),
     "two anchors": ({**world(), "cables": {"anchors": [[0, 0], [20, 0]]}}, True),
     "probabilities sum to 0.5": ({**world(), "futures": [{"probability": 0.5, "moves": []}]}, False),

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "apps/cli/option_checks.h"
 #include "apps/cli/output_file.h"
@@ -28,32 +30,62 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options) {
   command.add_option("--seed", options.seed, "the seed of everything random");
 }
 
+namespace {
+
+/// Whether two paths lead to one file, or would if there were one.
+bool SameFile(const std::string& a, const std::string& b) {
+  std::error_code none;
+  if (std::filesystem::equivalent(a, b, none)) return std::filesystem::is_regular_file(a, none);
+  const auto whole = [&none](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
+  };
+  return !std::filesystem::exists(a, none) && whole(a) == whole(b);
+}
+
+/// An output that would replace the scene or its map.
+std::optional<Error> OutputIsInput(const CommonOptions& options, const std::string& input) {
+  for (const auto& [option, output] : {std::pair{"--svg", options.svg}, {"--png", options.png}}) {
+    if (output.empty() || !SameFile(output, input)) continue;
+    return Error{ErrorCode::kInvalidInput,
+                 std::string(option) + " would replace the input " + input + "; name another file", output};
+  }
+  return std::nullopt;
+}
+
+/// The pictures that are asked for, as temporary files.
+Expected<void> AddPictures(const CommonOptions& options, const Answer& answer, OutputFiles& files) {
+  if (options.svg.empty() && options.png.empty()) return {};
+  const std::string svg = answer.draw();
+  if (!options.png.empty()) {
+    const auto png = RenderPng(svg);
+    if (!png) return tl::unexpected(png.error());
+    if (auto added = files.Add(options.png, *png); !added) return added;
+  }
+  return options.svg.empty() ? Expected<void>{} : files.Add(options.svg, svg);
+}
+
+}  // namespace
+
 Expected<Scene> ReadScene(const CommonOptions& options) {
-  if (!options.svg.empty() && options.svg == options.png) {
+  if (!options.svg.empty() && !options.png.empty() && SameFile(options.svg, options.png)) {
     return InvalidInput("--svg and --png name the same file; give each its own", options.svg);
   }
-  return ReadSceneFile(options.scene, {.unknown_free = options.unknown == "free", .simplify = options.simplify});
+  if (const auto error = OutputIsInput(options, options.scene)) return tl::unexpected(*error);
+  auto scene = ReadSceneFile(options.scene, {.unknown_free = options.unknown == "free", .simplify = options.simplify});
+  if (scene && scene->world.map) {
+    const auto map = std::filesystem::path(options.scene).parent_path() / scene->world.map->path;
+    if (const auto error = OutputIsInput(options, map.string())) return tl::unexpected(*error);
+  }
+  return scene;
 }
 
 Expected<int> Deliver(const CommonOptions& options, const Answer& answer) {
-  if (!options.svg.empty() || !options.png.empty()) {
-    const std::string svg = answer.draw();
-    if (!options.png.empty()) {
-      const auto png = RenderPng(svg);
-      if (!png) return tl::unexpected(png.error());
-      if (const auto written = WriteFile(options.png, *png); !written) return tl::unexpected(written.error());
-    }
-    if (!options.svg.empty()) {
-      if (const auto written = WriteFile(options.svg, svg); !written) return tl::unexpected(written.error());
-    }
-  }
-  if (options.json) {
-    if (const auto written = WriteStandardOutput(answer.json.dump(1) + "\n"); !written) {
-      return tl::unexpected(written.error());
-    }
-  } else if (!options.quiet) {
-    if (const auto written = WriteStandardOutput(answer.text); !written) return tl::unexpected(written.error());
-  }
+  OutputFiles files;
+  if (const auto added = AddPictures(options, answer, files); !added) return tl::unexpected(added.error());
+  const bool quiet = options.quiet && !options.json;
+  const std::string text = quiet ? "" : options.json ? answer.json.dump(1) + "\n" : answer.text;
+  if (const auto written = WriteStandardOutput(text); !written) return tl::unexpected(written.error());
+  if (const auto placed = files.Commit(); !placed) return tl::unexpected(placed.error());
   return answer.status;
 }
 

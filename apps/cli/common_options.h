@@ -31,7 +31,8 @@ struct CommonOptions {
 /// Adds SCENE and the common options to a command.
 void AddCommonOptions(CLI::App& command, CommonOptions& options);
 
-/// Reads the scene that the options name. Errors: as ReadSceneFile.
+/// Reads the scene that the options name. Errors: as ReadSceneFile, and pictures that would replace each other, the
+/// scene or its map.
 [[nodiscard]] Expected<Scene> ReadScene(const CommonOptions& options);
 
 /// What a command found, in the forms in which it can be handed out.
@@ -42,7 +43,8 @@ struct Answer {
   int status = 0;
 };
 
-/// Writes pictures, then the answer to standard output; the exit status, or what could not be written.
+/// Writes the answer to standard output and puts its pictures in place, both or none; the exit status, or what could
+/// not be written. Pictures are written before anything is printed, and put in place after.
 [[nodiscard]] Expected<int> Deliver(const CommonOptions& options, const Answer& answer);
 
 }  // namespace tautline::cli

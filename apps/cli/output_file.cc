@@ -2,24 +2,53 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
+
+#include "tautline/base/check.h"
 
 namespace tautline::cli {
 namespace {
 
-// The one mutable global: a signal handler can reach nothing else. Empty while no temporary file exists.
-std::array<char, 4096> temporary_path{};
+// The one mutable global: a signal handler can reach nothing else. Empty where no temporary file exists.
+using PathBuffer = std::array<char, 4096>;
+std::array<PathBuffer, OutputFiles::kMost> temporary_paths{};
 
-extern "C" void OnInterrupt(int signal) {
-  if (temporary_path[0] != '\0') unlink(temporary_path.data());
+void RemoveTemporary(PathBuffer& path) {
+  if (path[0] != '\0') unlink(path.data());
+  path[0] = '\0';
+}
+
+extern "C" void OnSignal(int signal) {
+  for (PathBuffer& path : temporary_paths) RemoveTemporary(path);
   _exit(128 + signal);
 }
+
+constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+
+/// Keeps those signals waiting while it lives.
+class SignalsBlocked {
+ public:
+  SignalsBlocked() {
+    sigset_t set;
+    sigemptyset(&set);
+    for (const int signal : kSignals) sigaddset(&set, signal);
+    sigprocmask(SIG_BLOCK, &set, &before_);
+  }
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+  ~SignalsBlocked() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
 
 tl::unexpected<Error> CannotWrite(const std::string& what, int error) {
   return tl::unexpected<Error>(
@@ -37,9 +66,17 @@ int WriteAll(int file, std::string_view bytes) {
   return 0;
 }
 
-/// The bytes in a new file at temporary_path, on the disk; 0, or the system's error number.
-int WriteTemporary(std::string_view bytes) {
-  const int file = mkstemp(temporary_path.data());
+/// The bytes in a new file beside `target`, whose name goes to `path`; 0, or the system's error number.
+int WriteTemporary(const std::string& target, std::string_view bytes, PathBuffer& path) {
+  const std::string pattern = target + ".XXXXXX";
+  if (pattern.size() >= path.size()) return ENAMETOOLONG;
+  int file = -1;
+  {
+    const SignalsBlocked blocked;  // Between the file and its name.
+    std::memcpy(path.data(), pattern.c_str(), pattern.size() + 1);
+    file = mkstemp(path.data());
+    if (file < 0) path[0] = '\0';
+  }
   if (file < 0) return errno;
   int error = WriteAll(file, bytes);
   // mkstemp makes a private file; the result has the permissions of any new file.
@@ -73,23 +110,62 @@ int WriteSpecial(const std::string& path, std::string_view bytes) {
   return close(file) != 0 && error == 0 ? errno : error;
 }
 
-int WriteByRename(const std::string& path, std::string_view bytes) {
-  const std::string pattern = path + ".XXXXXX";
-  if (pattern.size() >= temporary_path.size()) return ENAMETOOLONG;
-  std::memcpy(temporary_path.data(), pattern.c_str(), pattern.size() + 1);
-  int error = WriteTemporary(bytes);
-  if (error == 0 && rename(temporary_path.data(), path.c_str()) != 0) error = errno;
-  if (error != 0) unlink(temporary_path.data());
-  temporary_path[0] = '\0';
-  return error;
+/// Exchanges two files; 0, or the system's error number.
+int Exchange(const char* a, const char* b) {
+  return syscall(SYS_renameat2, AT_FDCWD, a, AT_FDCWD, b, RENAME_EXCHANGE) == 0 ? 0 : errno;
 }
 
 }  // namespace
 
-Expected<void> WriteFile(const std::string& path, std::string_view bytes) {
+OutputFiles::~OutputFiles() {
+  for (PathBuffer& path : temporary_paths) RemoveTemporary(path);
+}
+
+Expected<void> OutputFiles::Add(const std::string& path, std::string_view bytes) {
+  if (IsSpecialFile(path)) {
+    if (const int error = WriteSpecial(path, bytes); error != 0) return CannotWrite(path, error);
+    return {};
+  }
   const std::string target = FollowLinks(path);
-  const int error = IsSpecialFile(target) ? WriteSpecial(target, bytes) : WriteByRename(target, bytes);
-  if (error != 0) return CannotWrite(path, error);
+  TAUTLINE_CHECK(files_.size() < kMost);
+  PathBuffer& temporary = temporary_paths[files_.size()];
+  if (const int error = WriteTemporary(target, bytes, temporary); error != 0) {
+    RemoveTemporary(temporary);
+    return CannotWrite(path, error);
+  }
+  files_.push_back({path, target, access(target.c_str(), F_OK) == 0});
+  return {};
+}
+
+/// Exchanges the temporary file with the one it replaces, so that it can be taken back; 0, or the system's error
+/// number.
+int OutputFiles::Place(std::size_t index) {
+  const char* temporary = temporary_paths[index].data();
+  const char* target = files_[index].target.c_str();
+  if (files_[index].existed && Exchange(temporary, target) == 0) return 0;
+  // Not every file system can exchange; the last file need not be taken back, and the first ones seldom must.
+  if (rename(temporary, target) != 0) return errno;
+  temporary_paths[index][0] = '\0';
+  return 0;
+}
+
+void OutputFiles::TakeBack(std::size_t index) {
+  if (!files_[index].existed) {
+    unlink(files_[index].target.c_str());
+  } else if (temporary_paths[index][0] != '\0') {
+    Exchange(temporary_paths[index].data(), files_[index].target.c_str());
+  }
+}
+
+Expected<void> OutputFiles::Commit() {
+  const SignalsBlocked blocked;
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    const int error = Place(i);
+    if (error == 0) continue;
+    for (std::size_t k = 0; k < i; ++k) TakeBack(k);
+    return CannotWrite(files_[i].path, error);
+  }
+  for (PathBuffer& path : temporary_paths) RemoveTemporary(path);
   return {};
 }
 
@@ -99,9 +175,8 @@ Expected<void> WriteStandardOutput(std::string_view bytes) {
 }
 
 void HandleSignals() {
-  std::signal(SIGINT, OnInterrupt);
-  std::signal(SIGTERM, OnInterrupt);
-  std::signal(SIGHUP, OnInterrupt);
+  for (const int signal : kSignals) std::signal(signal, OnSignal);
+  std::signal(SIGXFSZ, SIG_IGN);  // The write fails instead, with a reason.
 }
 
 }  // namespace tautline::cli

@@ -3,6 +3,8 @@
 #include <locale>
 #include <sstream>
 
+#include "tautline/scene/number_fault.h"
+
 namespace tautline::cli {
 
 Expected<Point> ParsePoint(const std::string& text, const std::string& option) {
@@ -10,7 +12,10 @@ Expected<Point> ParsePoint(const std::string& text, const std::string& option) {
   stream.imbue(std::locale::classic());
   Point p;
   char comma = 0;
-  if (stream >> p.x >> comma >> p.y && comma == ',' && stream.eof() && IsFinite(p)) return p;
+  if (stream >> p.x >> comma >> p.y && comma == ',' && stream.eof()) {
+    if (const auto fault = PointFault(p)) return tl::unexpected<Error>(Error{fault->code, text + fault->text, option});
+    return p;
+  }
   return InvalidInput(
       "'" + text + "' is not a point; give two numbers with a comma between, such as " + option + " 2,3.5", option);
 }

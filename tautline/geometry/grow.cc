@@ -59,8 +59,10 @@ std::vector<Ring> GrowthPieces(std::span<const Point> ring, double radius, doubl
   return pieces;
 }
 
+int CircleSides(double arc_error) { return std::max(3, ArcSteps(2 * std::numbers::pi, arc_error)); }
+
 Ring CircumscribedPolygon(Point centre, double radius, double arc_error) {
-  const int sides = std::max(3, ArcSteps(2 * std::numbers::pi, arc_error));
+  const int sides = CircleSides(arc_error);
   const double step = 2 * std::numbers::pi / sides;
   const double outer = radius / std::cos(step / 2);
   Ring polygon;

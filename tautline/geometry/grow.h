@@ -15,6 +15,10 @@ namespace tautline {
 /// as the segment or the point that it is. Requires radius > 0 and arc_error in (0, 1]. O(n) rings.
 std::vector<Ring> GrowthPieces(std::span<const Point> ring, double radius, double arc_error);
 
+/// The corners of a regular polygon around a circle that is nowhere more than arc_error of the radius beyond it.
+/// Requires arc_error in (0, 1], and far above the rounding of doubles: from 1e-9 on.
+int CircleSides(double arc_error);
+
 /// A regular polygon around the circle, nowhere more than radius * arc_error beyond it. Counter-clockwise.
 Ring CircumscribedPolygon(Point centre, double radius, double arc_error);
 

@@ -60,6 +60,7 @@ class OverlayBuilder {
   void Cross(TriangleId triangle, int side, Windings& windings) const;
   void FindComponents();
   void FindSources();
+  void FindInsides();
   void TraceRings();
   OverlayRing TraceRing(TriangleId triangle, int index);
 
@@ -225,13 +226,38 @@ void OverlayBuilder::FindComponents() {
   overlay_.wall = blocked_component_.back();
 }
 
-/// Every edge of a source lies in the closure of the blocked component that the source became part of.
+/// Every edge of a source lies in the closure of a blocked component that the source became part of. A source may be
+/// part of several: where it has no width, its ground is parted.
 void OverlayBuilder::FindSources() {
+  overlay_.source_of_blocked.assign(static_cast<std::size_t>(overlay_.blocked_count), -1);
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const Layer layer = layer_of_segment_[segment_of_edge_[e]];
     if (layer < CoverLayer(0)) continue;
-    std::int32_t& component = overlay_.blocked_of_source[layer - CoverLayer(0)];
-    if (component < 0) component = blocked_component_[mesh_.ChainOf(e)[0].index()];
+    const auto source = static_cast<std::int32_t>(layer - CoverLayer(0));
+    for (const VertexId vertex : mesh_.ChainOf(e)) {
+      const std::int32_t component = blocked_component_[vertex.index()];
+      if (component < 0) continue;
+      std::int32_t& first = overlay_.blocked_of_source[static_cast<std::size_t>(source)];
+      if (first < 0) first = component;
+      std::int32_t& lowest = overlay_.source_of_blocked[static_cast<std::size_t>(component)];
+      if (lowest < 0 || source < lowest) lowest = source;
+    }
+  }
+}
+
+/// The centre of the blocked triangle that has the largest area, by component; the wall's is of no use.
+void OverlayBuilder::FindInsides() {
+  std::vector<double> largest(static_cast<std::size_t>(overlay_.blocked_count), -1);
+  overlay_.inside_of_blocked.resize(largest.size());
+  for (std::size_t t = 0; t < mesh_.triangles().size(); ++t) {
+    if (!blocked_[t]) continue;
+    const Triangle& here = mesh_.triangles()[t];
+    const Point a = mesh_.point(here.vertices[0]), b = mesh_.point(here.vertices[1]), c = mesh_.point(here.vertices[2]);
+    const auto component = static_cast<std::size_t>(blocked_component_[here.vertices[0].index()]);
+    const double area = tautline::Cross(b - a, c - a);
+    if (area <= largest[component]) continue;
+    largest[component] = area;
+    overlay_.inside_of_blocked[component] = a + 1.0 / 3 * ((b - a) + (c - a));
   }
 }
 
@@ -288,6 +314,7 @@ Overlay OverlayBuilder::Build() {
   FloodWindings();
   FindComponents();
   FindSources();
+  FindInsides();
   TraceRings();
   return std::move(overlay_);
 }

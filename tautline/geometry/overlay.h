@@ -33,7 +33,10 @@ struct Overlay {
   std::vector<OverlayRing> rings;
   std::int32_t free_count = 0;
   std::int32_t blocked_count = 0;
-  std::vector<std::int32_t> blocked_of_source;  ///< By source; -1 when it vanished on the grid.
+  std::vector<std::int32_t>
+      blocked_of_source;  ///< By source, that of its first piece; -1 when it vanished on the grid.
+  std::vector<std::int32_t> source_of_blocked;  ///< By blocked component: the lowest source with a piece in it, or -1.
+  std::vector<Point> inside_of_blocked;         ///< By blocked component: a point in its widest part.
   std::int32_t wall = -1;                       ///< The blocked component that holds the outside.
   double grid = 0;                              ///< All vertices are multiples of this spacing, metres.
 };

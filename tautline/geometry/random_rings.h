@@ -20,7 +20,7 @@ inline Point RandomPoint(Rng& rng, const Box& box) {
 /// A box between a thousandth of a metre and a kilometre wide, sometimes far from the origin.
 inline Box RandomBox(Rng& rng) {
   const double size = std::pow(10, rng.UniformInt(-3, 3));
-  const double away = rng.UniformInt(0, 3) == 0 ? 1e5 * size : 0;
+  const double away = rng.UniformInt(0, 3) == 0 ? std::min(1e5 * size, 5e6) : 0;
   const Point low{rng.Uniform(-away, away), rng.Uniform(-away, away)};
   return {low, low + Point{size, size * rng.Uniform(0.5, 1)}};
 }

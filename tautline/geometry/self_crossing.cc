@@ -1,8 +1,11 @@
 #include "tautline/geometry/self_crossing.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
+#include "tautline/geometry/overlay.h"
 #include "tautline/geometry/polygon.h"
 #include "tautline/geometry/predicates.h"
 
@@ -21,14 +24,40 @@ bool WithinTurn(Point apex, Point a, Point b, Point p) {
 
 bool Aligned(Point apex, Point a, Point b) { return Orientation(apex, a, b) == 0 && Dot(a - apex, b - apex) > 0; }
 
-/// Whether the way a-apex-b passes from one side of the way c-apex-d to the other. Ways with a common direction only
-/// touch here.
-bool PassThrough(Point apex, std::pair<Point, Point> way, std::pair<Point, Point> other) {
+enum class Meeting { kTouch, kCross, kRunAlong };
+
+/// How the way a-apex-b meets the way c-apex-d: it passes from one side to the other, stays on one, or they share a
+/// direction, and what that means shows elsewhere.
+Meeting Meet(Point apex, std::pair<Point, Point> way, std::pair<Point, Point> other) {
   const auto [a, b] = way;
   const auto [c, d] = other;
-  if (Aligned(apex, a, c) || Aligned(apex, a, d) || Aligned(apex, b, c) || Aligned(apex, b, d)) return false;
-  if (Aligned(apex, c, d)) return false;
-  return WithinTurn(apex, c, d, a) != WithinTurn(apex, c, d, b);
+  if (Aligned(apex, a, c) || Aligned(apex, a, d) || Aligned(apex, b, c) || Aligned(apex, b, d)) {
+    return Meeting::kRunAlong;
+  }
+  if (Aligned(apex, c, d)) return Meeting::kTouch;
+  return WithinTurn(apex, c, d, a) != WithinTurn(apex, c, d, b) ? Meeting::kCross : Meeting::kTouch;
+}
+
+/// The area that the ring winds around counter-clockwise, however often, in a frame around it.
+double AreaOnLeft(const Ring& ring, const Ring& frame) {
+  const std::vector<CoverRing> cover{{ring, 0}};
+  double area = SignedArea(frame);
+  for (const OverlayRing& free : ComputeOverlay(frame, cover, 1).rings) area -= free.area;
+  return area;
+}
+
+/// Whether the ring winds around every place once in one direction, or not at all.
+bool WindsOnce(std::span<const Point> points) {
+  constexpr double kRounding = 1e-9;  // Of the overlay's grid, as a share of the squared size.
+  Ring ring(points.begin(), points.end());
+  const Box box = BoundingBox(ring);
+  const double extent = Norm(box.size()), signed_area = SignedArea(ring);
+  const Point margin{extent, extent}, low = box.low - margin, high = box.high + margin;
+  const Ring frame{low, {high.x, low.y}, high, {low.x, high.y}};
+  const double left = AreaOnLeft(ring, frame);
+  std::reverse(ring.begin(), ring.end());
+  const double right = AreaOnLeft(ring, frame), tolerance = kRounding * extent * extent;
+  return std::min(left, right) <= tolerance && std::max(left, right) <= std::fabs(signed_area) + tolerance;
 }
 
 /// The ring with a tree of boxes over runs of consecutive edges.
@@ -47,7 +76,8 @@ class CrossingSearch {
 
   std::optional<EdgePair> Run() {
     Within(1);
-    return found_;
+    if (found_ || !run_along_ || WindsOnce(ring_)) return found_;
+    return run_along_;
   }
 
  private:
@@ -83,17 +113,19 @@ class CrossingSearch {
   }
 
   /// Whether the ring passes through edge j at the start of edge i: inside the edge, or at the start of edge j too.
-  bool CrossAtVertex(std::size_t i, std::size_t j) const {
+  bool CrossAtVertex(std::size_t i, std::size_t j) {
     const Point apex = At(i), c = At(j), d = At(j + 1);
-    const std::pair<Point, Point> way{Before(i), At(i + 1)};
-    if (apex == c) return PassThrough(apex, way, {Before(j), d});
-    return apex != d && OnSegment(c, d, apex) && PassThrough(apex, way, {c, d});
+    if (apex != c && (apex == d || !OnSegment(c, d, apex))) return false;
+    const Meeting meeting = Meet(apex, {Before(i), At(i + 1)}, {apex == c ? Before(j) : c, d});
+    if (meeting == Meeting::kRunAlong && !run_along_) run_along_ = EdgePair{std::min(i, j), std::max(i, j)};
+    return meeting == Meeting::kCross;
   }
 
   std::span<const Point> ring_;
   std::size_t leaves_ = 1;
   std::vector<Box> boxes_;
   std::optional<EdgePair> found_;
+  std::optional<EdgePair> run_along_;  ///< Edges from which the ring runs along itself.
 };
 
 }  // namespace

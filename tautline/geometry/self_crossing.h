@@ -19,8 +19,10 @@ struct EdgePair {
 };
 
 /// Two edges at which the ring passes from one side of itself to the other, if there are any: they cross in a point
-/// inside both, or in a point that is a vertex of one or both. A ring that touches itself in a point without crossing,
-/// or runs back along one of its edges, is not reported. Exact. Requires that no two neighbours are equal.
+/// inside both, or in a point that is a vertex of one or both, or the ring runs along itself there and comes out on the
+/// other side. A ring that touches itself in a point without crossing, or runs back along one of its edges, is not
+/// reported. Exact, but for rings that run along themselves, whose windings are compared on the grid of ComputeOverlay.
+/// Requires finite points and that no two neighbours are equal.
 /// O(n log n) for boundaries as they are met, O(n^2) when most edges have overlapping boxes.
 std::optional<EdgePair> FindSelfCrossing(std::span<const Point> ring);
 

@@ -37,6 +37,15 @@ TEST(FindSelfCrossing, CrossingAtAVertexIsFound) {
   EXPECT_TRUE(CrossesItself({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, -2}}));
 }
 
+TEST(FindSelfCrossing, CrossingAlongACommonEdgeIsFound) {
+  // Two triangles on both sides of the edge (0, 5)-(5, 1), walked twice in the same direction.
+  EXPECT_TRUE(CrossesItself({{0, 5}, {5, 1}, {14, 12}, {0, 5}, {5, 1}, {0, 0}}));
+  // A bow tie whose crossing is the edge (2, 1)-(3, 1).
+  EXPECT_TRUE(CrossesItself({{0, 0}, {2, 1}, {3, 1}, {5, 2}, {5, 0}, {3, 1}, {2, 1}, {0, 2}}));
+  // Two triangles at the ends of a corridor without width.
+  EXPECT_FALSE(CrossesItself({{0, 0}, {2, 1}, {3, 1}, {5, 0}, {5, 2}, {3, 1}, {2, 1}, {0, 2}}));
+}
+
 TEST(FindSelfCrossing, RunningBackAlongAnEdgeIsAllowed) {
   EXPECT_FALSE(CrossesItself({{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 2}, {2, 4}, {0, 4}}));
 }

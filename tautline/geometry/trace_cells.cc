@@ -128,4 +128,23 @@ std::vector<PolygonWithHoles> TraceBlockedCells(const OccupancyGrid& grid) {
   return Tracer(grid).Run();
 }
 
+std::size_t CountTracedCorners(const OccupancyGrid& grid) {
+  const auto blocked = [&grid](int column, int row) {
+    return grid.contains(column, row) && grid.at(column, row) == CellState::kBlocked;
+  };
+  std::size_t corners = 0;
+  for (int j = 0; j <= grid.rows; ++j) {
+    bool low_left = false, high_left = false;
+    for (int i = 0; i <= grid.columns; ++i) {
+      const bool low = blocked(i, j - 1), high = blocked(i, j);
+      const int count = low + high + low_left + high_left;
+      if (count % 2 == 1) ++corners;
+      if (count == 2 && low != high && low == high_left) corners += 2;
+      low_left = low;
+      high_left = high;
+    }
+  }
+  return corners;
+}
+
 }  // namespace tautline

@@ -2,6 +2,7 @@
 #ifndef TAUTLINE_GEOMETRY_TRACE_CELLS_H_
 #define TAUTLINE_GEOMETRY_TRACE_CELLS_H_
 
+#include <cstddef>
 #include <vector>
 
 #include "tautline/geometry/occupancy_grid.h"
@@ -17,6 +18,9 @@ namespace tautline {
 /// everything beyond the grid. The polygons are ordered by their first cell, row 0 first. The coordinates are those
 /// of LatticePoint. O(cells).
 std::vector<PolygonWithHoles> TraceBlockedCells(const OccupancyGrid& grid);
+
+/// The number of points of all rings of TraceBlockedCells, without tracing: what tracing would need. O(cells).
+std::size_t CountTracedCorners(const OccupancyGrid& grid);
 
 }  // namespace tautline
 

@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Maps, MovingAi,
                          [](const auto& suite) { return std::string(suite.param.name); });
 
 TautSpace SpaceOfMap(const std::string& file) {
-  MapWorld map = WorldFromGrid(ParseMovingAiMap(ReadTextFile(file, kMaxBytes).value(), file).value(), {});
+  MapWorld map = WorldFromGrid(ParseMovingAiMap(ReadTextFile(file, kMaxBytes).value(), file).value(), {}).value();
   World world;
   world.outline = std::move(map.outline);
   world.obstacles = std::move(map.obstacles);

@@ -11,10 +11,6 @@ namespace {
 
 using Kind = Document::Kind;
 
-/// The largest size of a coordinate or a length, metres; squares and products of it stay exact enough for the
-/// predicates.
-constexpr double kLargestNumber = 1e15;
-
 /// The number of letters to insert, remove or replace on the way from a to b (Levenshtein). O(|a| |b|).
 std::size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -60,8 +56,6 @@ std::string Element(std::string_view what, std::size_t index) {
   return std::string(what) + "[" + std::to_string(index + 1) + "]";
 }
 
-std::string ToText(Point point) { return "(" + FormatNumber(point.x) + ", " + FormatNumber(point.y) + ")"; }
-
 void FieldReader::Fail(Position at, std::string message, ErrorCode code) {
   Fail(Error{code, std::move(message), Where(at)});
 }
@@ -69,6 +63,10 @@ void FieldReader::Fail(Position at, std::string message, ErrorCode code) {
 void FieldReader::Fail(Error error) {
   if (ok_) error_ = {error.code, OneLine(std::move(error.message)), OneLine(std::move(error.where))};
   ok_ = false;
+}
+
+void FieldReader::Check(const std::optional<Fault>& fault, Position at, std::string_view what) {
+  if (ok_ && fault) Fail(at, std::string(what) + fault->text, fault->code);
 }
 
 bool FieldReader::IsMap(const Document& value, std::string_view what) {
@@ -109,27 +107,19 @@ double FieldReader::ReadNumber(const Document& value, std::string_view what) {
          std::string(what) + " must be a number, not " + Describe(value) + (quoted ? ": remove the quotes" : ""));
     return 0;
   }
-  if (value.number > kLargestNumber || value.number < -kLargestNumber) {
-    Fail(value.position, std::string(what) + " is " + FormatNumber(value.number) + ": numbers go up to 1e15",
-         ErrorCode::kLimitExceeded);
-    return 0;
-  }
-  return value.number;
+  Check(NumberFault(value.number), value.position, what);
+  return ok_ ? value.number : 0;
 }
 
 double FieldReader::ReadPositive(const Document& value, std::string_view what) {
   const double number = ReadNumber(value, what);
-  if (ok_ && number <= 0) {
-    Fail(value.position, std::string(what) + " is " + FormatNumber(number) + ": it must be larger than 0");
-  }
+  Check(PositiveFault(number), value.position, what);
   return number;
 }
 
 double FieldReader::ReadNonNegative(const Document& value, std::string_view what) {
   const double number = ReadNumber(value, what);
-  if (ok_ && number < 0) {
-    Fail(value.position, std::string(what) + " is " + FormatNumber(number) + ": it must not be negative");
-  }
+  Check(NonNegativeFault(number), value.position, what);
   return number;
 }
 
@@ -154,18 +144,22 @@ std::string FieldReader::ReadName(const Document& value, std::string_view what) 
   return name;
 }
 
+void FieldReader::CountPoint(Position at) {
+  if (++points_ <= kMaxScenePoints) return;
+  Fail(at, "more than " + std::to_string(kMaxScenePoints) + " points: simplify the file", ErrorCode::kLimitExceeded);
+}
+
 Point FieldReader::ReadPoint(const Document& value, std::string_view what) {
   if (!ok_) return {};
   if (!value.is(Kind::kList) || value.items.size() != 2) {
     Fail(value.position, std::string(what) + " must be a point [x, y], not " + Describe(value));
     return {};
   }
-  if (++points_ > kMaxScenePoints) {
-    Fail(value.position, "more than " + std::to_string(kMaxScenePoints) + " points: simplify the scene",
-         ErrorCode::kLimitExceeded);
-    return {};
-  }
-  return {ReadNumber(value.items[0], what), ReadNumber(value.items[1], what)};
+  CountPoint(value.position);
+  if (!ok_) return {};
+  const Point point{ReadNumber(value.items[0], what), ReadNumber(value.items[1], what)};
+  Check(PointFault(point), value.position, what);
+  return point;
 }
 
 Polyline FieldReader::ReadPoints(const Document& value, std::string_view what, std::size_t at_least) {

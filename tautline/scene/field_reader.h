@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "tautline/base/error.h"
 #include "tautline/geometry/polygon.h"
 #include "tautline/scene/document.h"
+#include "tautline/scene/number_fault.h"
 
 namespace tautline {
 
@@ -35,6 +37,9 @@ class FieldReader {
   void Fail(Position at, std::string message, ErrorCode code = ErrorCode::kInvalidInput);
   void Fail(Error error);
 
+  /// Records what is wrong with `what`, if anything is.
+  void Check(const std::optional<Fault>& fault, Position at, std::string_view what);
+
   /// Whether the value has the form; records an error when not.
   bool IsMap(const Document& value, std::string_view what);
   bool IsList(const Document& value, std::string_view what);
@@ -53,6 +58,9 @@ class FieldReader {
   /// A name of an obstacle or a robot: a text that is not empty and holds neither blanks nor '^'.
   std::string ReadName(const Document& value, std::string_view what);
 
+  /// Counts towards kMaxScenePoints; an error beyond it.
+  void CountPoint(Position at);
+
   Point ReadPoint(const Document& value, std::string_view what);
   Polyline ReadPoints(const Document& value, std::string_view what, std::size_t at_least);
 
@@ -68,9 +76,6 @@ std::string_view NearestName(std::string_view name, std::span<const std::string_
 
 /// "what[3]", counting from 1.
 std::string Element(std::string_view what, std::size_t index);
-
-/// "(1.5, -2)".
-std::string ToText(Point point);
 
 }  // namespace tautline
 

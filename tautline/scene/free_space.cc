@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "tautline/geometry/grow.h"
 #include "tautline/geometry/overlay.h"
 #include "tautline/geometry/snap_rounding.h"
 #include "tautline/geometry/snap_vertices.h"
+#include "tautline/scene/check_world.h"
 
 namespace tautline {
 namespace {
@@ -88,12 +90,16 @@ class Assembler {
 
   void Assemble() {
     CollectIslands();
+    AddSplitPieces();
     CollectComponents();
+    MendRepresentatives();
   }
 
  private:
   void CollectIslands();
+  void AddSplitPieces();
   void CollectComponents();
+  void MendRepresentatives();
 
   const World& world_;
   Overlay overlay_;
@@ -125,6 +131,43 @@ void Assembler::CollectIslands() {
     const bool with_wall = component == overlay_.wall;
     if (with_wall || names.size() > 1) space_.merges.push_back({names, with_wall});
     if (!with_wall) space_.islands[island_of_blocked_[static_cast<std::size_t>(component)].index()].members = names;
+  }
+}
+
+/// An obstacle whose ground is parted, where it has no width, is several islands: the further ones are called after it.
+void Assembler::AddSplitPieces() {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < island_of_blocked_.size(); ++i) {
+    const std::int32_t source = overlay_.source_of_blocked[i];
+    if (island_of_blocked_[i].valid() || static_cast<std::int32_t>(i) == overlay_.wall || source < 0) continue;
+    if (names.empty()) {
+      for (const Obstacle& obstacle : world_.obstacles) names.insert(obstacle.name);
+    }
+    const Obstacle& obstacle = world_.obstacles[static_cast<std::size_t>(source)];
+    std::string name;
+    for (int k = 2; name.empty() || !names.insert(name).second; ++k) name = obstacle.name + "_" + std::to_string(k);
+    island_of_blocked_[i] = ObstacleId(space_.islands.size());
+    space_.islands.push_back({name, overlay_.inside_of_blocked[i], {obstacle.name}, 0});
+  }
+}
+
+/// A representative that lies in another piece of its obstacle, or that joining has left outside, is replaced.
+void Assembler::MendRepresentatives() {
+  std::vector<int> windings(space_.islands.size(), 0);
+  const auto add = [&](const BoundaryRing& ring) {
+    if (!ring.obstacle.valid()) return;
+    const Winding winding = WindingNumber(ring.points, space_.islands[ring.obstacle.index()].representative);
+    constexpr int kFarOff = 1 << 20;
+    windings[ring.obstacle.index()] += winding.on_boundary ? kFarOff : winding.number;
+  };
+  for (const FreeComponent& component : space_.components) {
+    add(component.outer);
+    std::for_each(component.holes.begin(), component.holes.end(), add);
+  }
+  for (std::size_t i = 0; i < island_of_blocked_.size(); ++i) {
+    const ObstacleId island = island_of_blocked_[i];
+    if (!island.valid() || windings[island.index()] == -1) continue;
+    space_.islands[island.index()].representative = overlay_.inside_of_blocked[i];
   }
 }
 
@@ -171,10 +214,7 @@ bool Touches(const FreeComponent& component, Point p, double tolerance) {
 }  // namespace
 
 Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& options) {
-  if (world.outline.size() < 3) {
-    return InvalidInput("the scene has no world; add `world: {outline: [[x, y], ...]}` or `world: {map: FILE}`",
-                        "world");
-  }
+  if (const auto checked = CheckWorld(world, options); !checked) return tl::unexpected(checked.error());
   FreeSpace space;
   space.box = BoundingBox(world.outline);
   space.clearance = options.clearance.value_or(world.clearance);
@@ -206,7 +246,9 @@ Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& o
 
 double BoundaryTolerance(const FreeSpace& space) {
   constexpr double kRounding = 1e-6;  // A printed decimal less than what people write.
-  return std::max(std::min(space.snap, kRounding), 4 * space.grid);
+  // Growth is up to 6 spacings more than the clearance; printed coordinates are rounded by up to 10.
+  constexpr double kSpacings = 16;
+  return std::max(std::min(space.snap, kRounding), kSpacings * space.grid);
 }
 
 std::vector<std::string> NamesOf(const FreeSpace& space) {

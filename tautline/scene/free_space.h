@@ -15,7 +15,7 @@ namespace tautline {
 
 /// One closed boundary curve of the free space. The free space lies on its left: outer rings run counter-clockwise,
 /// rings around obstacles clockwise. No vertex is collinear with its neighbours; a ring may touch itself or another
-/// ring in a vertex, never cross.
+/// ring in a point that is a vertex of either, never cross.
 struct BoundaryRing {
   Ring points;
   ObstacleId obstacle;  ///< The island that it bounds; invalid when it bounds (something merged with) the wall.
@@ -30,8 +30,10 @@ struct FreeComponent {
 
 /// An island of blocked ground: a letter of the words of this free space.
 struct Island {
-  std::string name;                  ///< Of the first of `members`.
-  Point representative;              ///< Strictly inside; its upward ray writes the letter.
+  std::string name;                  ///< Of the first of `members`; a further piece of an obstacle that has no width
+                                     ///< somewhere is called NAME_2, NAME_3, ...
+  Point representative;              ///< Strictly inside; its upward ray writes the letter. That of the obstacle, where
+                                     ///< it lies in this island.
   std::vector<std::string> members;  ///< Names of the obstacles merged into it, in the order of the scene.
   double area = 0;                   ///< Square metres, with clearance, without courtyards.
 };

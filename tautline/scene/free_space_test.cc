@@ -12,6 +12,7 @@
 #include "tautline/geometry/predicates.h"
 #include "tautline/geometry/random_rings.h"
 #include "tautline/geometry/snap_rounding.h"
+#include "tautline/scene/brute_free_space.h"
 
 namespace tautline {
 namespace {
@@ -31,62 +32,6 @@ World RandomWorld(Rng& rng, const Box& box) {
     world.obstacles.push_back(std::move(obstacle));
   }
   return world;
-}
-
-std::vector<Ring> PolygonRings(const World& world) {
-  std::vector<Ring> rings{world.outline};
-  for (const Obstacle& obstacle : world.obstacles) {
-    if (!obstacle.polygon) continue;
-    rings.push_back(obstacle.polygon->outer);
-    rings.insert(rings.end(), obstacle.polygon->holes.begin(), obstacle.polygon->holes.end());
-  }
-  return rings;
-}
-
-bool InBlockedPolygon(const World& world, Point p) {
-  if (!ContainsPoint(world.outline, p)) return true;
-  return std::any_of(world.obstacles.begin(), world.obstacles.end(), [p](const Obstacle& obstacle) {
-    if (!obstacle.polygon || !ContainsPoint(obstacle.polygon->outer, p)) return false;
-    return std::none_of(obstacle.polygon->holes.begin(), obstacle.polygon->holes.end(), [p](const Ring& hole) {
-      const Winding winding = WindingNumber(hole, p);
-      return !winding.on_boundary && winding.number != 0;
-    });
-  });
-}
-
-/// The distance from p to what a world blocks before growth, by looking at everything: to its straight parts and to
-/// its discs, of which the greatest radius is at `radius`.
-struct BlockedDistance {
-  double straight = 1e300;
-  double disc = 1e300;  ///< Negative inside.
-  double radius = 0;    ///< Of the nearest disc.
-};
-
-BlockedDistance DistanceToBlocked(const World& world, Point p) {
-  BlockedDistance distance;
-  for (const Ring& ring : PolygonRings(world)) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      distance.straight = std::min(distance.straight, DistanceToSegment(p, ring[i], ring[(i + 1) % ring.size()]));
-    }
-  }
-  if (InBlockedPolygon(world, p)) distance.straight = -distance.straight;
-  for (const Obstacle& obstacle : world.obstacles) {
-    if (!obstacle.circle) continue;
-    distance.disc = std::min(distance.disc, Distance(p, obstacle.circle->centre) - obstacle.circle->radius);
-    distance.radius = std::max(distance.radius, obstacle.circle->radius);
-  }
-  return distance;
-}
-
-int FreeCount(const FreeSpace& space, Point p) {
-  int sum = 0;
-  for (const FreeComponent& component : space.components) {
-    int winding = WindingNumber(component.outer.points, p).number;
-    for (const BoundaryRing& hole : component.holes) winding += WindingNumber(hole.points, p).number;
-    EXPECT_TRUE(winding == 0 || winding == 1);
-    sum += winding;
-  }
-  return sum;
 }
 
 /// Somewhere in the box, or near the boundary of the free space.
@@ -270,6 +215,27 @@ TEST(FreeSpace, WhatMeetsTheWallIsWall) {
   EXPECT_EQ(space->merges[0].members, (std::vector<std::string>{"leaning", "crossing", "outside", "indirect"}));
 }
 
+TEST(FreeSpace, AnObstacleWithoutWidthSomewhereIsSeveralIslands) {
+  Obstacle dumbbell;
+  dumbbell.name = "dumbbell";
+  dumbbell.polygon = PolygonWithHoles{
+      {{1, 4}, {2, 4}, {2, 5}, {6, 5}, {6, 3}, {9, 3}, {9, 7}, {6, 7}, {6, 5}, {2, 5}, {2, 6}, {1, 6}}, {}};
+  World world = Room({dumbbell, Block("dumbbell_2", {1, 1}, {2, 2})});
+  const Expected<FreeSpace> space = BuildFreeSpace(world);
+  ASSERT_TRUE(space) << ToString(space.error());
+  ASSERT_EQ(space->islands.size(), 3u);
+  EXPECT_EQ(space->islands[0].name, "dumbbell");
+  EXPECT_EQ(space->islands[0].area, 2);
+  EXPECT_EQ(space->islands[2].name, "dumbbell_3");
+  EXPECT_EQ(space->islands[2].members, std::vector<std::string>{"dumbbell"});
+  EXPECT_EQ(space->islands[2].area, 12);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(IslandWinding(*space, ObstacleId(i), space->islands[i].representative), -1) << i;
+  }
+  world.clearance = 0.1;
+  EXPECT_EQ(BuildFreeSpace(world)->islands.size(), 2u) << "grown, its neck has a width";
+}
+
 TEST(FreeSpace, ClearanceMergesWhatComesTooNear) {
   World world = Room({Block("a", {2, 2}, {4, 4}), Block("b", {5, 2}, {7, 4}), Block("c", {4, 8}, {5, 9.5})});
   world.clearance = 0.6;
@@ -289,13 +255,13 @@ TEST(FreeSpace, ClearanceMergesWhatComesTooNear) {
 
 TEST(FreeSpace, GrowthIsNotTooSmallBesideSomethingHuge) {
   // The coordinate grid is as coarse as the whole scene asks for, and growth must allow for that.
-  World world = Room({Block("far", {20, 0}, {1e9, 1e9})});
+  World world = Room({Block("far", {20, 0}, {1e7, 1e7})});
   for (const double clearance : {0.1, 0.3, 0.6, 0.7, 1.1}) {
     world.clearance = clearance;
     const Expected<FreeSpace> space = BuildFreeSpace(world);
     ASSERT_TRUE(space);
     EXPECT_FALSE(ComponentOf(*space, {clearance - 1e-7, 5})) << clearance;
-    EXPECT_GT(space->grid, 1e-4);
+    EXPECT_GT(space->grid, 1e-6);
   }
 }
 

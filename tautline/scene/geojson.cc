@@ -140,6 +140,7 @@ class Collector {
     Ring ring;
     if (!reader_.ok() || !reader_.IsList(coordinates, "a ring")) return ring;
     for (const Document& position : coordinates.items) {
+      reader_.CountPoint(position.position);
       if (!position.is(Kind::kList) || position.items.size() < 2) {
         reader_.Fail(position.position,
                      "a position must be [x, y] or [longitude, latitude], not " + Describe(position));
@@ -221,8 +222,11 @@ void Project(std::vector<Piece>& pieces, const Box& box, Position at, FieldReade
 
 void CheckPieces(const std::vector<Piece>& pieces, FieldReader& reader) {
   for (const Piece& piece : pieces) {
-    CheckRing(piece.polygon.outer, "the polygon", piece.position, reader);
-    for (const Ring& hole : piece.polygon.holes) CheckRing(hole, "a hole of the polygon", piece.position, reader);
+    if (!reader.ok()) return;
+    reader.Check(RingFault(piece.polygon.outer), piece.position, "the polygon");
+    for (const Ring& hole : piece.polygon.holes) {
+      reader.Check(RingFault(hole), piece.position, "a hole of the polygon");
+    }
   }
 }
 

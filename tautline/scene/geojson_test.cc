@@ -51,6 +51,20 @@ TEST(ReadGeoJson, RolesSayWhatAPolygonIs) {
   EXPECT_FALSE(world.source.geographic);
 }
 
+TEST(ReadGeoJson, NumbersAreFiniteAndCoordinatesInRange) {
+  const auto with = [](const std::string& number) {
+    return ErrorOf("{\"type\": \"Polygon\", \"coordinates\":\n[[[0,0],[20,0],[20," + number + "],[0,0]]]}");
+  };
+  EXPECT_EQ(with("10"), "no error");
+  EXPECT_EQ(with("NaN").substr(0, 30), "m.geojson:2: not valid JSON: s");
+  EXPECT_EQ(with("Infinity").substr(0, 30), "m.geojson:2: not valid JSON: s");
+  EXPECT_EQ(with("1e999").substr(0, 30), "m.geojson:2: the number '1e999");
+  EXPECT_EQ(
+      with("2e7"),
+      "m.geojson:2: the polygon[3] is 2e+07: coordinates go up to 1e7 metres; move the origin nearer or check the "
+      "units");
+}
+
 TEST(ReadGeoJson, WithoutAnOutlineItIsTheGrownBoundingBox) {
   const MapWorld world = Good(R"({"type": "Polygon", "coordinates": )" + kRoom + "}");
   const Box box = BoundingBox(world.outline);

@@ -6,6 +6,7 @@
 #include "tautline/scene/geojson.h"
 #include "tautline/scene/json_document.h"
 #include "tautline/scene/movingai_map.h"
+#include "tautline/scene/number_fault.h"
 #include "tautline/scene/pgm.h"
 #include "tautline/scene/ros_map.h"
 
@@ -32,6 +33,14 @@ Expected<RasterImage> ReadImage(const std::string& path, const MapSources& sourc
   });
 }
 
+Expected<MapWorld> WorldOfKind(const char* kind, OccupancyGrid grid, const std::string& path,
+                               const SceneOptions& options) {
+  auto world = WorldFromGrid(std::move(grid), options);
+  if (!world) return tl::unexpected<Error>(Error{world.error().code, world.error().message, path});
+  world->source.kind = kind;
+  return world;
+}
+
 Expected<MapWorld> ReadRosMap(const std::string& path, const MapSources& sources, const SceneOptions& options) {
   const auto text = sources.read(path, kMaxDocumentBytes);
   if (!text) return tl::unexpected<Error>(text.error());
@@ -41,18 +50,18 @@ Expected<MapWorld> ReadRosMap(const std::string& path, const MapSources& sources
   if (!settings) return tl::unexpected<Error>(settings.error());
   const auto image = ReadImage((std::filesystem::path(path).parent_path() / settings->image).string(), sources);
   if (!image) return tl::unexpected<Error>(image.error());
-  MapWorld world = WorldFromGrid(GridFromRosImage(*image, *settings), options);
-  world.source.kind = "ros";
-  return world;
+  OccupancyGrid grid = GridFromRosImage(*image, *settings);
+  if (const auto fault = PointsFault(GridOutline(grid))) {
+    return tl::unexpected<Error>(Error{fault->code, "corner " + fault->text + "; see origin and resolution", path});
+  }
+  return WorldOfKind("ros", std::move(grid), path, options);
 }
 
 Expected<MapWorld> ReadMovingAiMap(const std::string& path, const MapSources& sources, const SceneOptions& options) {
   const auto text = sources.read(path, kMaxMapBytes);
   if (!text) return tl::unexpected<Error>(text.error());
-  return ParseMovingAiMap(*text, path).map([&options](OccupancyGrid grid) {
-    MapWorld world = WorldFromGrid(std::move(grid), options);
-    world.source.kind = "movingai";
-    return world;
+  return ParseMovingAiMap(*text, path).and_then([&](OccupancyGrid grid) {
+    return WorldOfKind("movingai", std::move(grid), path, options);
   });
 }
 

@@ -1,5 +1,7 @@
 #include "tautline/scene/map_world.h"
 
+#include <cstddef>
+#include <string>
 #include <utility>
 
 #include "tautline/geometry/simplify.h"
@@ -7,7 +9,14 @@
 
 namespace tautline {
 
-MapWorld WorldFromGrid(OccupancyGrid grid, const SceneOptions& options) {
+namespace {
+
+/// The corners of a map before it is simplified; tracing them takes a gigabyte.
+constexpr std::size_t kMaxTracedCorners = 16'000'000;
+
+}  // namespace
+
+Expected<MapWorld> WorldFromGrid(OccupancyGrid grid, const SceneOptions& options) {
   MapWorld world;
   world.outline = GridOutline(grid);
   world.source.resolution = grid.cell_m;
@@ -20,7 +29,15 @@ MapWorld WorldFromGrid(OccupancyGrid grid, const SceneOptions& options) {
   world.source.unknown_cells = CountCells(grid, CellState::kUnknown);
   world.source.simplify = options.simplify;
   const CellState unknown = options.unknown_free ? CellState::kFree : CellState::kBlocked;
-  auto polygons = TraceBlockedCells(ResolveUnknown(grid, unknown));
+  const OccupancyGrid resolved = ResolveUnknown(grid, unknown);
+  if (const std::size_t corners = CountTracedCorners(resolved); corners > kMaxTracedCorners) {
+    return tl::unexpected<Error>(Error{ErrorCode::kLimitExceeded,
+                                       "the boundaries of its cells have " + std::to_string(corners) +
+                                           " corners, more than " + std::to_string(kMaxTracedCorners) +
+                                           ": remove the noise or scale the map down",
+                                       ""});
+  }
+  auto polygons = TraceBlockedCells(resolved);
   if (options.simplify > 0) polygons = SimplifyOutwards(polygons, options.simplify);
   for (PolygonWithHoles& polygon : polygons) {
     Obstacle obstacle;

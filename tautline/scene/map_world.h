@@ -21,8 +21,9 @@ struct MapWorld {
 
 /// The world of a map of cells: the border of the map is the outline, the 8-connected components of its blocked cells
 /// are the obstacles (TraceBlockedCells); unknown cells are blocked unless options.unknown_free; options.simplify > 0
-/// makes the boundaries simpler (SimplifyOutwards). The caller fills in path, kind and origin of `source`. O(cells).
-MapWorld WorldFromGrid(OccupancyGrid grid, const SceneOptions& options);
+/// makes the boundaries simpler (SimplifyOutwards). The caller fills in path and kind of `source`. Errors:
+/// kLimitExceeded when the boundaries have more than 16 million corners, as noise has. O(cells).
+[[nodiscard]] Expected<MapWorld> WorldFromGrid(OccupancyGrid grid, const SceneOptions& options);
 
 }  // namespace tautline
 

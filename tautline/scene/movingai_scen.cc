@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "tautline/scene/number_fault.h"
 #include "tautline/scene/number_text.h"
 #include "tautline/scene/text_lines.h"
 
@@ -16,9 +17,8 @@ std::optional<ScenProblem> ReadProblem(const std::vector<std::string_view>& word
   const auto start_column = ParseCount(words[4]), start_row = ParseCount(words[5]);
   const auto goal_column = ParseCount(words[6]), goal_row = ParseCount(words[7]);
   const auto length = ParseNumber(words[8]);
-  if (!bucket || !width || !height || !start_column || !start_row || !goal_column || !goal_row || !length) {
-    return std::nullopt;
-  }
+  if (!bucket || !width || !height || !start_column || !start_row || !goal_column || !goal_row) return std::nullopt;
+  if (!length || NonNegativeFault(*length)) return std::nullopt;
   if (*start_column >= *width || *goal_column >= *width || *start_row >= *height || *goal_row >= *height) {
     return std::nullopt;
   }
@@ -48,8 +48,10 @@ Expected<std::vector<ScenProblem>> ParseMovingAiScen(std::string_view text, cons
     if (columns.empty()) continue;
     auto problem = ReadProblem(columns);
     if (!problem) {
-      return InvalidInput("a problem needs nine columns: bucket map width height x y x y length, cells inside the map",
-                          file + ":" + std::to_string(lines.number()));
+      return InvalidInput(
+          "a problem needs nine columns: bucket map width height x y x y length, with cells inside the "
+          "map and a finite length",
+          file + ":" + std::to_string(lines.number()));
     }
     problems.push_back(std::move(*problem));
   }

@@ -67,6 +67,11 @@ TEST(ParseMovingAiScen, NamesTheLineOfAFault) {
   EXPECT_EQ(ScenErrorOf("1 2 3"), "m.scen:1: a scen file starts with 'version 1'");
   EXPECT_EQ(ScenErrorOf("version 1\n\n0 a 8 9 1 2 3").substr(0, 28), "m.scen:3: a problem needs ni");
   EXPECT_EQ(ScenErrorOf("version 1\n0 a 8 9 8 2 3 3 1").substr(0, 9), "m.scen:2:");
+  for (const std::string length : {"nan", "inf", "-inf", "1e999", "-1"}) {
+    EXPECT_EQ(ScenErrorOf("version 1\n0 a 8 9 1 2 3 3 1\n0 a 8 9 1 2 3 3 " + length).substr(0, 28),
+              "m.scen:3: a problem needs ni")
+        << length;
+  }
 }
 
 /// The shortest path over 8 neighbours that cuts no corners, cells.

@@ -111,4 +111,6 @@ std::string FormatNumber(double value) {
   return stream.str();
 }
 
+std::string ToText(Point point) { return "(" + FormatNumber(point.x) + ", " + FormatNumber(point.y) + ")"; }
+
 }  // namespace tautline

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "tautline/geometry/point.h"
+
 namespace tautline {
 
 /// The double nearest to a decimal number such as "12", "-0.5", "+3.", ".25" or "1e-3"; infinity when it is too large
@@ -15,6 +17,9 @@ std::optional<double> ParseNumber(std::string_view text);
 
 /// The shortest text that ParseNumber reads back as the same finite number: "0.1", "-3", "1e+30".
 std::string FormatNumber(double value);
+
+/// "(1.5, -2)".
+std::string ToText(Point point);
 
 }  // namespace tautline
 

@@ -67,6 +67,10 @@ TEST(ParsePgm, RefusesValuesAboveTheLargest) {
 
 TEST(ParsePgm, RefusesImagesThatAreTooLarge) {
   EXPECT_EQ(ErrorOf("P5 100000 100000 255\n"), "m.pgm: more than 8192 x 8192 pixels: scale the map down");
+  EXPECT_EQ(ErrorOf("P2 16777216 16777216 255\n"), "m.pgm: more than 8192 x 8192 pixels: scale the map down");
+  EXPECT_EQ(ErrorOf("P5 99999999999999999999 1 255\n").substr(0, 24), "m.pgm:1: the PGM header ");
+  // Nothing is allocated for pixels that are not there.
+  EXPECT_EQ(ErrorOf("P5 8192 8192 65535\n"), "m.pgm: the PGM ends before its 8192 x 8192 pixels: is it cut off?");
 }
 
 }  // namespace

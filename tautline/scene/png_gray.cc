@@ -10,6 +10,9 @@
 namespace tautline {
 namespace {
 
+/// All pixels as libpng hands them out: kMaxCells of four channels of 8 bits.
+constexpr std::size_t kMaxUnpackedBytes = 4 * kMaxCells;
+
 /// Everything that outlives a jump out of libpng, which reports errors by longjmp: no function between setjmp and
 /// libpng owns anything.
 struct Decoder {
@@ -20,7 +23,8 @@ struct Decoder {
   std::vector<png_byte> pixels;  ///< All rows, as libpng hands them out.
   std::size_t row_bytes = 0;
   std::vector<png_bytep> row_starts;
-  bool too_large = false;
+  bool too_many_pixels = false;
+  bool too_many_bytes = false;
   char message[160] = "";
 
   explicit Decoder(std::string_view b) : bytes(b) {}
@@ -51,12 +55,14 @@ void ReadHeader(Decoder& decoder) {
   png_read_info(decoder.png, decoder.info);
   const std::size_t pixels = static_cast<std::size_t>(png_get_image_width(decoder.png, decoder.info)) *
                              png_get_image_height(decoder.png, decoder.info);
-  decoder.too_large = pixels > kMaxCells;
-  if (decoder.too_large) png_error(decoder.png, "too large");
+  decoder.too_many_pixels = pixels > kMaxCells;
+  if (decoder.too_many_pixels) png_error(decoder.png, "too large");
   png_set_expand(decoder.png);
   png_set_interlace_handling(decoder.png);
   png_read_update_info(decoder.png, decoder.info);
   decoder.row_bytes = png_get_rowbytes(decoder.png, decoder.info);
+  decoder.too_many_bytes = decoder.row_bytes * png_get_image_height(decoder.png, decoder.info) > kMaxUnpackedBytes;
+  if (decoder.too_many_bytes) png_error(decoder.png, "too large");
 }
 
 bool DecodeHeader(Decoder& decoder) {
@@ -117,9 +123,13 @@ Expected<RasterImage> ParsePng(std::string_view bytes, const std::string& file) 
     decoded = DecodePixels(decoder);
   }
   if (decoded) return ToRaster(decoder);
-  if (decoder.too_large) {
+  if (decoder.too_many_pixels) {
     return tl::unexpected<Error>(
         Error{ErrorCode::kLimitExceeded, "more than 8192 x 8192 pixels: scale the map down", file});
+  }
+  if (decoder.too_many_bytes) {
+    return tl::unexpected<Error>(
+        Error{ErrorCode::kLimitExceeded, "larger than 256 MiB when unpacked: convert it to 8-bit grey", file});
   }
   return InvalidInput("not a readable PNG: " + std::string(decoder.message), file);
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "tautline/geometry/self_crossing.h"
+#include "tautline/scene/number_text.h"
 
 namespace tautline {
 namespace {
@@ -31,12 +32,44 @@ bool HasArea(const Ring& ring) {
   return ring.size() >= 3 && std::fabs(SignedArea(ring)) > kAreaTolerance * Dot(size, size);
 }
 
-void CheckRing(const Ring& ring, const std::string& what, Position at, FieldReader& reader) {
-  if (const auto pair = FindSelfCrossing(ring)) {
-    return reader.Fail(at, what + " crosses itself: edge " + EdgeText(ring, pair->first) + " meets edge " +
-                               EdgeText(ring, pair->second) + "; list the points in order around it");
+std::optional<Fault> RingPointsFault(const Ring& ring) {
+  if (ring.size() < 3) return Fault{" has " + std::to_string(ring.size()) + " points: it needs 3 or more"};
+  return PointsFault(ring);
+}
+
+std::optional<Fault> RingFault(const Ring& ring) {
+  if (auto fault = RingPointsFault(ring)) return fault;
+  const Ring clean = WithoutRepeats(ring);
+  if (const auto pair = FindSelfCrossing(clean)) {
+    return Fault{" crosses itself: edge " + EdgeText(clean, pair->first) + " meets edge " +
+                 EdgeText(clean, pair->second) + "; list the points in order around it"};
   }
-  if (!HasArea(ring)) reader.Fail(at, what + " has no area: its points lie on a line");
+  if (!HasArea(clean)) return Fault{" has no area: its points lie on a line"};
+  return std::nullopt;
+}
+
+std::optional<Fault> CircleFault(const Circle& circle) {
+  if (const auto fault = PositiveFault(circle.radius)) return Fault{" radius" + fault->text, fault->code};
+  const Point reach{circle.radius, circle.radius};
+  for (const Point p : {circle.centre, circle.centre - reach, circle.centre + reach}) {
+    if (auto fault = PointFault(p)) return Fault{" reaches a point that" + fault->text, fault->code};
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> ShapeCountFault(bool has_polygon, bool has_circle) {
+  if (has_polygon != has_circle) return std::nullopt;
+  return Fault{" must have exactly one of 'polygon' and 'circle'"};
+}
+
+std::optional<Fault> RepresentativeFault(const Obstacle& obstacle) {
+  if (!obstacle.representative) return std::nullopt;
+  const Point p = *obstacle.representative;
+  if (auto fault = PointFault(p)) return fault;
+  const bool inside = obstacle.polygon ? StrictlyInside(*obstacle.polygon, p)
+                                       : Distance(obstacle.circle->centre, p) < obstacle.circle->radius;
+  if (inside) return std::nullopt;
+  return Fault{" " + ToText(p) + " does not lie strictly inside the obstacle: move it or leave it out"};
 }
 
 }  // namespace tautline

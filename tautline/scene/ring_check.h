@@ -1,13 +1,13 @@
-// What a ring must be to bound a region.
+// What a shape must be to bound a region: one set of rules for files and for worlds built in C++.
 #ifndef TAUTLINE_SCENE_RING_CHECK_H_
 #define TAUTLINE_SCENE_RING_CHECK_H_
 
+#include <optional>
 #include <span>
-#include <string>
 
 #include "tautline/geometry/polygon.h"
-#include "tautline/scene/document.h"
-#include "tautline/scene/field_reader.h"
+#include "tautline/scene/number_fault.h"
+#include "tautline/scene/scene.h"
 
 namespace tautline {
 
@@ -17,8 +17,21 @@ Ring WithoutRepeats(std::span<const Point> points);
 /// Whether the ring has three points or more that do not all lie on one line, to rounding.
 bool HasArea(const Ring& ring);
 
-/// Records an error in `reader` when the ring has no area or crosses itself; the latter names the edges.
-void CheckRing(const Ring& ring, const std::string& what, Position at, FieldReader& reader);
+/// Fewer than three points, or a coordinate that PointFault refuses. O(n).
+std::optional<Fault> RingPointsFault(const Ring& ring);
+
+/// As RingPointsFault; or the ring crosses itself, and the text names the edges; or it has no area. O(n log n) as a
+/// rule.
+std::optional<Fault> RingFault(const Ring& ring);
+
+/// No radius, or a coordinate of the disc that PointFault refuses.
+std::optional<Fault> CircleFault(const Circle& circle);
+
+/// Both shapes or none.
+std::optional<Fault> ShapeCountFault(bool has_polygon, bool has_circle);
+
+/// A representative that does not lie strictly inside the obstacle. Requires one shape without a fault.
+std::optional<Fault> RepresentativeFault(const Obstacle& obstacle);
 
 }  // namespace tautline
 

@@ -15,6 +15,7 @@ void ReadOrigin(const Document& value, FieldReader& reader, RosMapSettings& sett
     return reader.Fail(value.position, "origin must be [x, y, yaw], not " + Describe(value));
   }
   settings.origin = {reader.ReadNumber(value.items[0], "origin[1]"), reader.ReadNumber(value.items[1], "origin[2]")};
+  reader.Check(PointFault(settings.origin), value.position, "origin");
   settings.yaw_rad = reader.ReadNumber(value.items[2], "origin[3]");
 }
 

@@ -105,6 +105,38 @@ TEST_F(SceneFile, ErrorsOfMapsNameTheFileThatIsAtFault) {
   EXPECT_EQ(ErrorOf(Write("s.yaml", "world:\n  map: m.dwg\n")).substr(0, 36), "DIR/m.dwg: not a map that tautline r");
 }
 
+TEST_F(SceneFile, MapsOfNoiseAreRefusedBeforeTheyAreTraced) {
+  // A chequerboard: every cell has four corners of its own.
+  constexpr int kSide = 4096;
+  std::string text = "type octile\nheight 4096\nwidth 4096\nmap\n";
+  for (int row = 0; row < kSide; ++row) {
+    for (int column = 0; column < kSide; ++column) text += (row + column) % 2 == 0 ? '.' : '@';
+    text += '\n';
+  }
+  Write("noise.map", text);
+  EXPECT_EQ(ErrorOf(Write("s.yaml", "world:\n  map: noise.map\n")),
+            "DIR/noise.map: the boundaries of its cells have 33554432 corners, more than 16000000: remove the noise or "
+            "scale the map down");
+}
+
+TEST_F(SceneFile, MapsLieWithinTheRangeOfCoordinates) {
+  Write("m.pgm", "P2 3 2 255\n0 254 205\n254 254 254\n");
+  const auto error_of = [this](const std::string& resolution, const std::string& origin) {
+    Write("m.yaml", "image: m.pgm\nresolution: " + resolution + "\norigin: " + origin +
+                        "\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+    return ErrorOf(Write("s.yaml", "world:\n  map: m.yaml\n"));
+  };
+  EXPECT_EQ(error_of("0.05", "[9.9e6, -9.9e6, 0]"), "no error");
+  EXPECT_EQ(error_of("1e6", "[8e6, 0, 0]"),
+            "DIR/m.yaml: corner [2] is 1.1e+07: coordinates go up to 1e7 metres; move the origin nearer or check the "
+            "units; see origin and resolution");
+  EXPECT_EQ(error_of("1", "[0, 2e7, 0]"),
+            "DIR/m.yaml:3: origin is 2e+07: coordinates go up to 1e7 metres; move the origin nearer or check the "
+            "units");
+  EXPECT_EQ(error_of("1", "[.nan, 0, 0]"), "DIR/m.yaml:3: the number '.nan' must be finite");
+  EXPECT_EQ(error_of(".inf", "[0, 0, 0]"), "DIR/m.yaml:2: the number '.inf' must be finite");
+}
+
 TEST_F(SceneFile, SimplifyMustBeALength) {
   const std::string path = Write("s.yaml", kRoom);
   EXPECT_EQ(ToString(ReadSceneFile(path, {.simplify = -1}).error()),

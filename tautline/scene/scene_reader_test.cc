@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tautline/scene/json_document.h"
 
 namespace tautline {
@@ -63,6 +65,34 @@ TEST(ReadScene, ReadsCirclesClearanceAndSnap) {
   EXPECT_EQ(scene.world.snap, 1e-4);
   EXPECT_EQ(scene.world.obstacles[0].circle, (Circle{{1, 2}, 0.5}));
   EXPECT_EQ(scene.world.obstacles[0].representative, (Point{1, 2.25}));
+}
+
+/// The text of `count` points on a circle of 1000 m about (1000, 1000).
+std::string ManyPoints(std::size_t count) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(count);
+    text += (i == 0 ? "[" : ",[") + std::to_string(1000 + 1000 * std::cos(angle)) + "," +
+            std::to_string(1000 + 1000 * std::sin(angle)) + "]";
+  }
+  return text + "]";
+}
+
+TEST(ReadScene, TakesAMillionPointsAndNoMore) {
+  const std::string outline = R"({"world": {"outline": [[0,0],[3e3,0],[3e3,3e3],[0,3e3]],)";
+  EXPECT_EQ(ErrorOf(outline + "\n\"obstacles\": [{\"polygon\":\n" + ManyPoints(kMaxScenePoints) + "}]}}"),
+            "s.json:3: more than 1000000 points: simplify the file");
+  const Scene scene = Good(outline + "\n\"obstacles\": [{\"polygon\":\n" + ManyPoints(kMaxScenePoints - 4) + "}]}}");
+  EXPECT_GT(scene.world.obstacles[0].polygon->outer.size(), 900000u);
+}
+
+TEST(ReadScene, CoordinatesGoUpToTenThousandKilometres) {
+  EXPECT_EQ(ErrorOf(InRoom(R"("goal": [1e7,-1e7])")), "no error");
+  EXPECT_EQ(ErrorOf(InRoom(R"("goal": [1,-1.1e7])")),
+            "s.json:3: goal is -1.1e+07: coordinates go up to 1e7 metres; move the origin nearer or check the units");
+  EXPECT_EQ(ErrorOf(WithObstacles(R"({"circle": [9e6,0,2e6]})")),
+            "s.json:1: world.obstacles[1].circle reaches a point that is 1.1e+07: coordinates go up to 1e7 metres; "
+            "move the origin nearer or check the units");
 }
 
 TEST(ReadScene, NamesObstaclesByTheirPosition) {

@@ -14,7 +14,7 @@ namespace {
 /// A ring that bounds a region: three points or more, with an area, not crossing itself.
 Ring ReadRing(const Document& value, const std::string& what, FieldReader& reader) {
   Ring ring = WithoutRepeats(reader.ReadPoints(value, what, 3));
-  if (reader.ok()) CheckRing(ring, what, value.position, reader);
+  if (reader.ok()) reader.Check(RingFault(ring), value.position, what);
   return ring;
 }
 
@@ -24,20 +24,16 @@ Circle ReadCircle(const Document& value, const std::string& what, FieldReader& r
     return {};
   }
   const Point centre{reader.ReadNumber(value.items[0], what), reader.ReadNumber(value.items[1], what)};
-  return {centre, reader.ReadPositive(value.items[2], what + " radius")};
-}
-
-bool IsStrictlyInside(const Obstacle& obstacle, Point p) {
-  return obstacle.polygon ? StrictlyInside(*obstacle.polygon, p)
-                          : Distance(obstacle.circle->centre, p) < obstacle.circle->radius;
+  const Circle circle{centre, reader.ReadNumber(value.items[2], what + " radius")};
+  if (reader.ok()) reader.Check(CircleFault(circle), value.position, what);
+  return circle;
 }
 
 void ReadShape(const Document& value, const std::string& what, FieldReader& reader, Obstacle& obstacle) {
   const Document* polygon = value.Find("polygon");
   const Document* circle = value.Find("circle");
-  if ((polygon == nullptr) == (circle == nullptr)) {
-    return reader.Fail(value.position, what + " must have exactly one of 'polygon' and 'circle'");
-  }
+  reader.Check(ShapeCountFault(polygon != nullptr, circle != nullptr), value.position, what);
+  if (!reader.ok()) return;
   if (polygon != nullptr) {
     obstacle.polygon = PolygonWithHoles{ReadRing(*polygon, what + ".polygon", reader), {}};
   } else {
@@ -53,10 +49,7 @@ Obstacle ReadObstacle(const Document& value, const std::string& what, FieldReade
   ReadShape(value, what, reader, obstacle);
   if (const Document* point = value.Find("representative")) {
     obstacle.representative = reader.ReadPoint(*point, what + ".representative");
-    if (reader.ok() && !IsStrictlyInside(obstacle, *obstacle.representative)) {
-      reader.Fail(point->position, what + ".representative " + ToText(*obstacle.representative) +
-                                       " does not lie strictly inside the obstacle: move it or leave it out");
-    }
+    if (reader.ok()) reader.Check(RepresentativeFault(obstacle), point->position, what + ".representative");
   }
   return obstacle;
 }
