@@ -33,7 +33,6 @@ function(tautline_library)
   target_compile_features(${target} ${scope} cxx_std_20)
   # Fused multiply-add changes the sign of predicates, also of those inlined into a user's code.
   target_compile_options(${target} ${scope} -ffp-contract=off)
-  target_compile_definitions(${target} ${scope} $<$<BOOL:${TAUTLINE_VERIFY}>:TAUTLINE_VERIFY>)
 
   set(export tautlineTargets)
   if(arg_NATIVE)
