@@ -9,7 +9,7 @@ FUZZ_SECONDS ?= 60
 export CMAKE_GENERATOR ?= $(if $(shell command -v ninja),Ninja,Unix Makefiles)
 
 TAUTLINE = build/release/apps/cli/tautline
-SOURCES = $(shell find tautline apps bench fuzz tests -name '*.h' -o -name '*.cc' 2>/dev/null)
+SOURCES = $(shell find tautline apps bench docs examples fuzz tests -name '*.h' -o -name '*.cc' 2>/dev/null)
 BUILD = cmake --build --parallel $(JOBS) --preset
 
 .PHONY: help
@@ -47,7 +47,7 @@ format-check: packages-ci  ## fail if a source is not formatted
 .PHONY: tidy
 tidy: packages-ci  ## run clang-tidy over all sources but the tests
 	cmake --preset release
-	run-clang-tidy-14 -quiet -j $(JOBS) -p build/release '/(tautline|apps)/(?!.*_test\.cc$$).*\.cc$$'
+	run-clang-tidy-14 -quiet -j $(JOBS) -p build/release '/(tautline|apps|docs|examples)/(?!.*_test\.cc$$).*\.cc$$'
 
 .PHONY: fuzz
 fuzz: packages-ci  ## run each fuzz target for FUZZ_SECONDS

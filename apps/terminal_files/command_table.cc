@@ -21,7 +21,7 @@ ValueKind KindOf(const std::string& placeholder) {
 
 /// What the library calls its types, in the words of the manual.
 std::string PlaceholderOf(const std::string& type) {
-  const std::string name = type.substr(0, type.find(':'));
+  std::string name = type.substr(0, type.find(':'));
   if (name == "INT" || name == "UINT") return "N";
   if (name == "FLOAT") return "NUMBER";
   return name;

@@ -1,6 +1,7 @@
 // terminal_files KIND: prints the bash or zsh completion or the manual page of tautline, made from its own options.
 #include <CLI/App.hpp>
 #include <cstdio>
+#include <exception>
 #include <string>
 
 #include "apps/cli/add_commands.h"
@@ -26,4 +27,10 @@ int Main(const std::string& kind) {
 }  // namespace
 }  // namespace tautline::terminal_files
 
-int main(int argc, char** argv) { return tautline::terminal_files::Main(argc == 2 ? argv[1] : ""); }
+int main(int argc, char** argv) {
+  try {
+    return tautline::terminal_files::Main(argc == 2 ? argv[1] : "");
+  } catch (const std::exception& fault) {
+    return std::fprintf(stderr, "terminal_files: %s\n", fault.what()), 1;
+  }
+}

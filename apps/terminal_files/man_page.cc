@@ -50,8 +50,9 @@ std::string OptionParagraph(const OptionRow& option) {
   text += "\n" + Sentence(option.description) + "\n";
   if (!option.default_value.empty()) text += fmt::format("Default: {}.\n", Roff(option.default_value));
   if (option.repeatable) text += "Can be given several times.\n";
-  if (!option.excludes.empty())
+  if (!option.excludes.empty()) {
     text += fmt::format("Not with {}.\n", Roff(fmt::format("{}", fmt::join(option.excludes, ", "))));
+  }
   return text;
 }
 
@@ -130,8 +131,9 @@ std::string ManPage(const CommandRow& program, const ManPageOptions& options) {
   }
   // "Plans for robots: exact ..." is named by its first part.
   std::string subject = program.description.substr(0, program.description.find_first_of(":."));
-  if (!subject.empty() && 'A' <= subject[0] && subject[0] <= 'Z')
+  if (!subject.empty() && 'A' <= subject[0] && subject[0] <= 'Z') {
     subject[0] = static_cast<char>(subject[0] - 'A' + 'a');
+  }
   std::string title = program.name;
   for (char& c : title) c = Capital(c);
   std::string text = fmt::format(".TH {} 1 {} \"{} {}\" \"User Commands\"\n", Roff(title), options.date, program.name,

@@ -95,8 +95,9 @@ std::string BranchFunction(const CommandRow& command) {
   text +=
       fmt::format("\n      )\n      _describe -t commands {} commands\n      ;;\n    rest)\n      case $words[1] in\n",
                   Quoted(command.called + " command"));
-  for (const CommandRow& sub : command.commands)
+  for (const CommandRow& sub : command.commands) {
     text += fmt::format("        {}) {} ;;\n", sub.name, FunctionName(sub));
+  }
   return text + "      esac\n      ;;\n  esac\n}\n\n";
 }
 
