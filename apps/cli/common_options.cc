@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -39,6 +40,10 @@ Expected<int> Deliver(const CommonOptions& options, const Answer& answer) {
   if (!options.svg.empty() || !options.png.empty()) {
     const std::string svg = answer.draw();
     if (!options.png.empty()) {
+      if (!options.quiet && !HasFont()) {
+        std::fputs("tautline: there is no font, so the PNG shows boxes for letters; install fonts-dejavu-core\n",
+                   stderr);
+      }
       const auto png = RenderPng(svg);
       if (!png) return tl::unexpected(png.error());
       if (const auto written = WriteFile(options.png, *png); !written) return tl::unexpected(written.error());
