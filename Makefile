@@ -61,6 +61,15 @@ install: packages-demo  ## install the program and the library to PREFIX
 	$(BUILD) release
 	cmake --install build/release --prefix $(PREFIX)
 
+.PHONY: deb
+deb: packages-package  ## build the Debian packages tautline and libtautline-dev in build/deb, and lint them
+	tools/build_deb.sh build/deb $(JOBS)
+
+.PHONY: api
+api: packages-ci  ## write the reference of the headers to build/api/html; a declaration without a comment is an error
+	mkdir -p build/api
+	doxygen docs/Doxyfile
+
 .PHONY: clean
 clean:  ## remove what the other commands made
 	rm -rf build demo.svg demo.png
@@ -70,6 +79,6 @@ release-with-tests: packages-test
 	cmake --preset release
 	$(BUILD) release
 
-.PHONY: packages-demo packages-test packages-ci
-packages-demo packages-test packages-ci: packages-%:
+.PHONY: packages-demo packages-test packages-ci packages-package
+packages-demo packages-test packages-ci packages-package: packages-%:
 	@tools/install_packages.sh $*

@@ -38,7 +38,11 @@ function(tautline_library)
   if(arg_NATIVE)
     set(export tautlineNativeTargets)
   endif()
-  install(TARGETS ${target} EXPORT ${export} FILE_SET HEADERS)
+  install(
+    TARGETS ${target}
+    EXPORT ${export}
+    ARCHIVE COMPONENT development
+    FILE_SET HEADERS COMPONENT development)
 endfunction()
 
 # tautline_test(NAME geometry_test SOURCES polygon_test.cc ... LINK tautline::geometry ...)
@@ -72,9 +76,10 @@ endfunction()
 function(tautline_install_package)
   set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/tautline)
   foreach(export tautlineTargets tautlineNativeTargets)
-    install(EXPORT ${export} NAMESPACE tautline:: DESTINATION ${folder})
+    install(EXPORT ${export} NAMESPACE tautline:: DESTINATION ${folder} COMPONENT development)
   endforeach()
   set(version_file "${PROJECT_BINARY_DIR}/tautlineConfigVersion.cmake")
   write_basic_package_version_file("${version_file}" COMPATIBILITY SameMinorVersion)
-  install(FILES "${PROJECT_SOURCE_DIR}/cmake/tautlineConfig.cmake" "${version_file}" DESTINATION ${folder})
+  install(FILES "${PROJECT_SOURCE_DIR}/cmake/tautlineConfig.cmake" "${version_file}" DESTINATION ${folder}
+          COMPONENT development)
 endfunction()
