@@ -67,8 +67,9 @@ deb: packages-package  ## build the Debian packages tautline and libtautline-dev
 
 .PHONY: api
 api: packages-ci  ## write the reference of the headers to build/api/html; a declaration without a comment is an error
+	cmake --preset release
 	mkdir -p build/api
-	doxygen docs/Doxyfile
+	doxygen build/release/Doxyfile
 
 .PHONY: clean
 clean:  ## remove what the other commands made

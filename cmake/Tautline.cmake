@@ -34,6 +34,9 @@ function(tautline_library)
   # Fused multiply-add changes the sign of predicates, also of those inlined into a user's code.
   target_compile_options(${target} ${scope} -ffp-contract=off)
 
+  list(TRANSFORM arg_HEADERS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  set_property(GLOBAL APPEND PROPERTY TAUTLINE_HEADERS ${arg_HEADERS})
+
   set(export tautlineTargets)
   if(arg_NATIVE)
     set(export tautlineNativeTargets)
@@ -82,4 +85,11 @@ function(tautline_install_package)
   write_basic_package_version_file("${version_file}" COMPATIBILITY SameMinorVersion)
   install(FILES "${PROJECT_SOURCE_DIR}/cmake/tautlineConfig.cmake" "${version_file}" DESTINATION ${folder}
           COMPONENT development)
+endfunction()
+
+# Writes the Doxyfile of `make api`, after all libraries are declared: the reference holds the installed headers.
+function(tautline_configure_reference)
+  get_property(headers GLOBAL PROPERTY TAUTLINE_HEADERS)
+  list(JOIN headers "\" \\\n  \"" headers)
+  configure_file("${PROJECT_SOURCE_DIR}/docs/Doxyfile.in" "${PROJECT_BINARY_DIR}/Doxyfile" @ONLY)
 endfunction()

@@ -11,15 +11,18 @@
 
 namespace tautline {
 
+/// Where the list of classes ends.
 struct ClassOptions {
   std::optional<double> max_length;       ///< Metres; only classes whose taut path is no longer.
   std::optional<std::int64_t> max_count;  ///< Only the so many shortest.
   std::int64_t budget = 1'000'000;        ///< Expanded search states after which the list ends incomplete.
 };
 
+/// The classes that were found, and whether they are all.
 struct ClassList {
   std::vector<TautPath> classes;  ///< Shortest first; equal lengths by word.
   bool complete = false;          ///< No class up to max_length is missing.
+  /// The search stopped at its budget; longer classes may be missing.
   bool budget_exceeded = false;
 };
 

@@ -11,6 +11,7 @@ namespace tautline {
 
 /// A tangent from a point to a corner, or, read backwards, the last leg of a taut walk to that point.
 struct TautLeg {
+  /// The corner that the line touches.
   CornerId corner;
   Side side = Side::kNone;  ///< Of the corner's obstacle, seen from the point.
   double length = 0;        ///< Metres.
@@ -26,6 +27,7 @@ class GoalField {
   /// distances beyond it are infinite.
   GoalField(const TautSpace& space, Place goal, double limit);
 
+  /// Where all distances end.
   Place goal() const { return goal_; }
 
   /// The least length from the head of the edge to the goal over walks that go on from the edge with taut turns;

@@ -14,10 +14,14 @@ using EdgeId = Index<struct EdgeTag>;  ///< A directed edge of the reduced visib
 
 /// A directed bitangent between two corners.
 struct TautEdge {
+  /// Where it starts.
   CornerId from;
+  /// Where it ends.
   CornerId to;
   double length = 0;  ///< Metres.
+  /// The side of the obstacle at `from`, for a traveller along the edge.
   Side tail = Side::kNone;
+  /// The side of the obstacle at `to`, for a traveller along the edge.
   Side head = Side::kNone;
 };
 
@@ -27,13 +31,16 @@ class VisibilityGraph {
   /// O(triangles seen from all corners).
   VisibilityGraph(const FreeMesh& mesh, const Corners& corners);
 
+  /// All edges by EdgeId, those that leave one corner beside each other.
   std::span<const TautEdge> edges() const { return edges_; }
+  /// An edge.
   const TautEdge& edge(EdgeId id) const { return edges_[id.index()]; }
 
   /// The edges that leave a corner are first(corner) .. first(corner) + OutOf(corner).size() - 1.
   std::span<const TautEdge> OutOf(CornerId corner) const {
     return std::span(edges_).subspan(first_[corner.index()], first_[corner.index() + 1] - first_[corner.index()]);
   }
+  /// The first edge that leaves a corner; the id of the next corner's first when none does.
   EdgeId First(CornerId corner) const { return EdgeId(first_[corner.index()]); }
 
   /// The same edge in the other direction.
