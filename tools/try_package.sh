@@ -16,7 +16,12 @@ packages=("$folder"/tautline_*.deb "$folder"/libtautline-dev_*.deb)
 for package in "${packages[@]}"; do [[ -f $package ]] || die "there is no $package; \`make deb\` builds it"; done
 
 system=$(mktemp -d)
-trap 'rm -rf --one-file-system "$system"' EXIT
+remove_system() {
+  # Never remove through a mount.
+  if mountpoint -q "$system/proc" && ! umount "$system/proc"; then die "cannot unmount $system/proc; $system is left"; fi
+  rm -rf --one-file-system "$system"
+}
+trap remove_system EXIT
 chmod 755 "$system"
 debootstrap --variant=minbase bookworm "$system" "$mirror" >"$folder/debootstrap.log" 2>&1 ||
   { tail "$folder/debootstrap.log" >&2; die "debootstrap failed"; }
@@ -24,6 +29,8 @@ rm "$folder/debootstrap.log"
 mkdir "$system/packages"
 cp "${packages[@]}" "$system/packages"
 cp /etc/resolv.conf "$system/etc/resolv.conf"  # A chroot shares the network, but not the names of its servers.
+mount -t proc proc "$system/proc"              # bash's <(...) needs /dev/fd, which leads there.
+ln -sfn /proc/self/fd "$system/dev/fd"
 # A minimal system leaves manuals out, as containers do; this one is to have them.
 rm -f "$system"/etc/dpkg/dpkg.cfg.d/*
 
