@@ -11,7 +11,7 @@ export CMAKE_GENERATOR ?= $(if $(shell command -v ninja),Ninja,Unix Makefiles)
 
 TAUTLINE = build/release/apps/cli/tautline
 WASM = build/wasm/apps/wasm/tautline.js
-SOURCES = $(shell find tautline apps bench fuzz tests -name '*.h' -o -name '*.cc' 2>/dev/null)
+SOURCES = $(shell find tautline apps bench docs examples fuzz tests -name '*.h' -o -name '*.cc' 2>/dev/null)
 BUILD = cmake --build --parallel $(JOBS) --preset
 
 .PHONY: help
@@ -58,7 +58,7 @@ format-check: packages-ci  ## fail if a source is not formatted
 .PHONY: tidy
 tidy: packages-ci  ## run clang-tidy over all sources but the tests
 	cmake --preset release
-	run-clang-tidy-14 -quiet -j $(JOBS) -p build/release '/(tautline|apps)/(?!.*_test\.cc$$).*\.cc$$'
+	run-clang-tidy-14 -quiet -j $(JOBS) -p build/release '/(tautline|apps|docs|examples)/(?!.*_test\.cc$$).*\.cc$$'
 
 .PHONY: fuzz
 fuzz: packages-ci  ## run each fuzz target for FUZZ_SECONDS, FUZZ_JOBS at a time
@@ -72,6 +72,16 @@ install: packages-demo  ## install the program and the library to PREFIX
 	$(BUILD) release
 	cmake --install build/release --prefix $(PREFIX)
 
+.PHONY: deb
+deb: packages-package  ## build the Debian packages tautline and libtautline-dev in build/deb, and lint them
+	tools/build_deb.sh build/deb $(JOBS)
+
+.PHONY: api
+api: packages-ci  ## write the reference of the headers to build/api/html; a declaration without a comment is an error
+	cmake --preset release
+	mkdir -p build/api
+	doxygen build/release/Doxyfile
+
 .PHONY: clean
 clean:  ## remove what the other commands made
 	rm -rf build demo.svg demo.png
@@ -81,6 +91,6 @@ release-with-tests: packages-test
 	cmake --preset release
 	$(BUILD) release
 
-.PHONY: packages-demo packages-test packages-ci packages-wasm
-packages-demo packages-test packages-ci packages-wasm: packages-%:
+.PHONY: packages-demo packages-test packages-ci packages-package packages-wasm
+packages-demo packages-test packages-ci packages-package packages-wasm: packages-%:
 	@tools/install_packages.sh $*

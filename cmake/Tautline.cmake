@@ -37,13 +37,19 @@ function(tautline_library)
   target_compile_features(${target} ${scope} cxx_std_20)
   # Fused multiply-add changes the sign of predicates, also of those inlined into a user's code.
   target_compile_options(${target} ${scope} -ffp-contract=off)
-  target_compile_definitions(${target} ${scope} $<$<BOOL:${TAUTLINE_VERIFY}>:TAUTLINE_VERIFY>)
+
+  list(TRANSFORM arg_HEADERS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  set_property(GLOBAL APPEND PROPERTY TAUTLINE_HEADERS ${arg_HEADERS})
 
   set(export tautlineTargets)
   if(arg_NATIVE)
     set(export tautlineNativeTargets)
   endif()
-  install(TARGETS ${target} EXPORT ${export} FILE_SET HEADERS)
+  install(
+    TARGETS ${target}
+    EXPORT ${export}
+    ARCHIVE COMPONENT development
+    FILE_SET HEADERS COMPONENT development)
 endfunction()
 
 # tautline_test(NAME geometry_test SOURCES polygon_test.cc ... LINK tautline::geometry ...)
@@ -87,9 +93,17 @@ endfunction()
 function(tautline_install_package)
   set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/tautline)
   foreach(export tautlineTargets tautlineNativeTargets)
-    install(EXPORT ${export} NAMESPACE tautline:: DESTINATION ${folder})
+    install(EXPORT ${export} NAMESPACE tautline:: DESTINATION ${folder} COMPONENT development)
   endforeach()
   set(version_file "${PROJECT_BINARY_DIR}/tautlineConfigVersion.cmake")
   write_basic_package_version_file("${version_file}" COMPATIBILITY SameMinorVersion)
-  install(FILES "${PROJECT_SOURCE_DIR}/cmake/tautlineConfig.cmake" "${version_file}" DESTINATION ${folder})
+  install(FILES "${PROJECT_SOURCE_DIR}/cmake/tautlineConfig.cmake" "${version_file}" DESTINATION ${folder}
+          COMPONENT development)
+endfunction()
+
+# Writes the Doxyfile of `make api`, after all libraries are declared: the reference holds the installed headers.
+function(tautline_configure_reference)
+  get_property(headers GLOBAL PROPERTY TAUTLINE_HEADERS)
+  list(JOIN headers "\" \\\n  \"" headers)
+  configure_file("${PROJECT_SOURCE_DIR}/docs/Doxyfile.in" "${PROJECT_BINARY_DIR}/Doxyfile" @ONLY)
 endfunction()

@@ -9,7 +9,7 @@ import re
 import sys
 
 LEFT_TO_RIGHT = ["base", "geometry", "scene", "homotopy", "cable", "planners", "draw"]
-TOP = ["apps", "bench", "experiments", "fuzz", "tests"]
+TOP = ["apps", "bench", "docs", "examples", "experiments", "fuzz", "tests"]
 INCLUDE = re.compile(r'^\s*#\s*include\s+"tautline/([^"]+)"')
 
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -57,6 +58,9 @@ Expected<void> AddPictures(const CommonOptions& options, const Answer& answer, O
   if (options.svg.empty() && options.png.empty()) return {};
   const std::string svg = answer.draw();
   if (!options.png.empty()) {
+    if (!options.quiet && !HasFont()) {
+      std::fputs("tautline: there is no font, so the PNG shows boxes for letters; install fonts-dejavu-core\n", stderr);
+    }
     const auto png = RenderPng(svg);
     if (!png) return tl::unexpected(png.error());
     if (auto added = files.Add(options.png, *png); !added) return added;

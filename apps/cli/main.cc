@@ -1,17 +1,14 @@
 // The program `tautline`: parses the call, runs one command, turns errors into one line and an exit status.
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "apps/answers/exit_status.h"
-#include "apps/cli/commands.h"
+#include "apps/cli/add_commands.h"
 #include "apps/cli/output_file.h"
 
 namespace tautline::cli {
@@ -37,12 +34,8 @@ std::string WhatIsWrong(const CLI::App& app, const CLI::ParseError& error) {
 
 int Main(int argc, char** argv) {
   HandleSignals();
-  CLI::App app("Plans for robots on a tether: exact shortest motions that the cable allows.", "tautline");
-  app.set_version_flag("--version", "tautline " TAUTLINE_VERSION);
-  app.require_subcommand(1);
-  app.footer("Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n`tautline COMMAND --help` tells more.");
-  std::vector<Run> runs;
-  for (const auto add : {AddPlan, AddClasses, AddTaut, AddShow}) runs.push_back(add(app));
+  CLI::App app;
+  const std::vector<Run> runs = AddCommands(app);
   const auto commands = app.get_subcommands({});
   const auto is_called = [&](const CLI::App* command) { return command->check_name(argv[1]); };
   if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_called)) {

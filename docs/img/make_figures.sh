@@ -24,10 +24,4 @@ draw engine_choice.svg plan scenes/store_room.yaml --all
 python3 -B $out/shrink_png.py $out/willow_demo.png
 
 # What no command draws.
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
-lib() { echo "$build/tautline/$1/libtautline_$2.a"; }
-g++ -std=c++20 -O1 -ffp-contract=off -I. $out/engine_figures.cc -o "$folder/engine_figures" \
-  "$(lib planners/tether tether)" "$(lib draw draw)" "$(lib homotopy homotopy)" "$(lib scene scene_native)" \
-  "$(lib scene scene)" "$(lib geometry geometry)" -lyaml-cpp -lpng
-"$folder/engine_figures" scenes/store_room.yaml $out
+"$build/tests/engine_figures" scenes/store_room.yaml $out

@@ -8,6 +8,7 @@
 
 namespace tautline {
 
+/// What kind of fault an Error tells of.
 enum class ErrorCode {
   kInvalidInput,   ///< A file or an argument says something that cannot be meant.
   kUnreadable,     ///< A file is missing or cannot be opened.
@@ -19,9 +20,9 @@ enum class ErrorCode {
 /// One line for a person: `where` is "file:line", a key or an argument (may be empty); `message` says what is wrong
 /// and how to mend it.
 struct Error {
-  ErrorCode code = ErrorCode::kInvalidInput;
-  std::string message;
-  std::string where;
+  ErrorCode code = ErrorCode::kInvalidInput;  ///< What kind of fault it is.
+  std::string message;                        ///< What is wrong and how to mend it.
+  std::string where;                          ///< "file:line", a key or an argument; may be empty.
 };
 
 /// "where: message", or the message alone.

@@ -9,6 +9,7 @@ namespace tautline {
 /// SplitMix64 [Steele2014]: 64 bits of state, the same bytes for the same seed everywhere.
 class Rng {
  public:
+  /// Starts the sequence that belongs to `seed`.
   explicit Rng(std::uint64_t seed) : state_(seed) {}
 
   /// The next 64 random bits.

@@ -13,12 +13,13 @@ namespace tautline {
 /// Draws a polyline (pixels) in a style. A single point, or nothing, draws nothing.
 void DrawCurve(SvgWriter& svg, std::span<const Point> line, const LineStyle& style);
 
-/// The point at `distance` along a polyline (both ends are limits) and the direction there, of
-/// length 1.
+/// A place on a polyline and the way it goes there.
 struct CurvePosition {
-  Point at;
-  Point direction;
+  Point at;         ///< The point itself.
+  Point direction;  ///< Of length 1.
 };
+
+/// The place at `distance` along a polyline; both ends are limits. An empty line has (0, 0) alone. O(points).
 CurvePosition PositionAlong(std::span<const Point> line, double distance);
 
 /// The part of a polyline from `begin` to `end`, distances along it.

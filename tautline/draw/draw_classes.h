@@ -9,10 +9,11 @@
 
 namespace tautline {
 
+/// What the picture shows beside the ground.
 struct ClassesPicture {
-  Point from;
-  Point to;
-  ClassList list;
+  Point from;      ///< Where all paths start, metres.
+  Point to;        ///< Where they end, metres.
+  ClassList list;  ///< Shortest first, as FindClasses returns them.
 };
 
 /// The picture, as SVG, of the classes between two points: the shortest numbered and listed with

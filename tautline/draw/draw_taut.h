@@ -9,6 +9,7 @@
 
 namespace tautline {
 
+/// What the picture shows beside the ground.
 struct TautPicture {
   Polyline laid;  ///< The cable as it lies, metres, base first.
   TautPath taut;  ///< The same cable pulled tight.

@@ -16,6 +16,7 @@
 
 namespace tautline {
 
+/// What a figure says around its map.
 struct FigureContent {
   std::string title;                     ///< The answer in words.
   std::vector<std::string> notes = {};   ///< Sentences below it.
@@ -29,6 +30,7 @@ struct FigureContent {
 /// labels and names come on top, each where it disturbs least.
 class Figure {
  public:
+  /// Lays out the page and draws the ground. Scene and space must outlive the figure.
   Figure(const Scene& scene, const FreeSpace& space, const FigureContent& content);
 
   /// A line in metres; its layer is the class of its group in the SVG.
@@ -57,6 +59,7 @@ class Figure {
   /// Islands whose names must not be left out.
   void Name(const std::set<ObstacleId>& islands);
 
+  /// From metres to pixels of this figure.
   const View& view() const { return view_; }
 
   /// The SVG document; the figure is used up.

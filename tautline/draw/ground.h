@@ -12,6 +12,7 @@
 
 namespace tautline {
 
+/// Where and how the ground is drawn.
 struct GroundOptions {
   Box frame;                            ///< Of the map, pixels.
   std::vector<std::string> tints = {};  ///< Colours of the components, largest first; missing ones are white.

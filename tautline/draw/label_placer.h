@@ -13,6 +13,7 @@ namespace tautline {
 /// All coordinates are pixels. Greedy: places are taken in the order of the calls.
 class LabelPlacer {
  public:
+  /// Labels should stand within `frame`.
   explicit LabelPlacer(const Box& frame) : frame_(frame) {}
 
   /// Marks room as taken by symbols or text.
@@ -28,21 +29,23 @@ class LabelPlacer {
   /// taken or outside.
   double Cost(const Box& box) const;
 
+  /// Where a label can stand.
+  struct Place {
+    Box box;          ///< The room of the label.
+    double cost = 0;  ///< How much it disturbs there; see Cost.
+  };
+
   /// The place for a label of `size` beside `around`: right, left, above, below, and at the
   /// corners, the first of those that disturb least. Not yet taken.
-  struct Place {
-    Box box;
-    double cost = 0;
-  };
   Place FindBeside(const Box& around, Point size) const;
 
   /// The place among `centres` that disturbs least, when each costs `later` more than the one
   /// before it.
   Place FindAt(std::span<const Point> centres, Point size, double later = kTieBreak) const;
 
-  static constexpr double kOverlap = 100;  ///< Cost of covering something taken.
-  static constexpr double kCrossing = 20;  ///< Cost of covering a line.
-  static constexpr double kTieBreak = 0.01;
+  static constexpr double kOverlap = 100;    ///< Cost of covering something taken.
+  static constexpr double kCrossing = 20;    ///< Cost of covering a line.
+  static constexpr double kTieBreak = 0.01;  ///< Cost by which earlier places are preferred.
 
  private:
   struct Segment {

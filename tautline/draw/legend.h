@@ -14,35 +14,42 @@ namespace tautline {
 
 /// A patch of ground.
 struct GroundSwatch {
-  std::string fill;
-  std::string edge = kBoundaryColour;
-  bool hatched = false;  ///< The pattern of the clearance band instead of `fill`.
+  std::string fill;                    ///< Colour of the ground.
+  std::string edge = kBoundaryColour;  ///< Colour of its boundary.
+  bool hatched = false;                ///< The pattern of the clearance band instead of `fill`.
 };
 
 /// A numbered line.
 struct NumberedSwatch {
-  std::string number;
-  LineStyle line;
+  std::string number;  ///< As it stands in the disc on the line.
+  LineStyle line;      ///< How the line itself is drawn.
 };
 
+/// What a legend shows in front of an entry.
 using Swatch = std::variant<std::monostate, LineStyle, Marker, GroundSwatch, NumberedSwatch>;
 
+/// One line of a legend with its sample.
 struct LegendEntry {
-  Swatch swatch;  ///< monostate: a heading without a sample.
-  std::string text;
+  Swatch swatch;                          ///< monostate: a heading without a sample.
+  std::string text;                       ///< What the sample stands for.
   std::vector<std::string> details = {};  ///< Smaller lines below.
 };
 
 /// A legend broken into lines and columns.
 class Legend {
  public:
+  /// The room that the legend has.
   struct Options {
     double width = 280;  ///< Of all columns, pixels.
-    int columns = 1;
+    int columns = 1;     ///< How many columns share the width.
   };
+
+  /// Breaks the entries into lines and columns. O(length of all texts).
   Legend(const std::vector<LegendEntry>& entries, const Options& options);
 
+  /// The height of the highest column, pixels.
   double height() const { return height_; }
+  /// Draws it with its upper left corner at `corner`, pixels.
   void Draw(SvgWriter& svg, Point corner) const;
 
  private:

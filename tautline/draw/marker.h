@@ -8,6 +8,7 @@
 
 namespace tautline {
 
+/// The symbols of pictures.
 enum class Marker {
   kBase,       ///< A socket: where the tether is tied.
   kRobot,      ///< A disc: where the robot stands.

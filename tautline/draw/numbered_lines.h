@@ -10,9 +10,10 @@
 
 namespace tautline {
 
+/// A line of a picture that the legend tells more about.
 struct NumberedLine {
-  Polyline points;  ///< Metres.
-  int number = 1;
+  Polyline points;                   ///< Metres.
+  int number = 1;                    ///< Shown on the line and in the legend.
   std::string text;                  ///< For the legend.
   std::vector<std::string> details;  ///< For the legend.
 };

@@ -22,8 +22,8 @@ std::vector<SvgText> PlaceObstacleNames(const FreeSpace& space, const View& view
 /// The islands whose letters stand in a word.
 std::set<ObstacleId> IslandsOf(const Word& word);
 
-inline constexpr std::size_t kMostNamedIslands = 60;
-inline constexpr std::size_t kLargestNamed = 8;
+inline constexpr std::size_t kMostNamedIslands = 60;  ///< With more, only the largest are named.
+inline constexpr std::size_t kLargestNamed = 8;       ///< How many are named then.
 
 }  // namespace tautline
 

@@ -11,23 +11,25 @@
 
 namespace tautline {
 
+/// What stands on a page.
 struct PageContent {
-  Box world;                       ///< What the map shows, metres.
-  std::string title;               ///< The answer in words.
-  std::vector<std::string> notes;  ///< Sentences below the title.
-  std::vector<LegendEntry> legend;
+  Box world;                        ///< What the map shows, metres.
+  std::string title;                ///< The answer in words.
+  std::vector<std::string> notes;   ///< Sentences below the title.
+  std::vector<LegendEntry> legend;  ///< From top to bottom.
 };
 
 /// The layout of a page about 1000 pixels wide: the legend stands to the right of tall and square
 /// worlds and below wide ones.
 class Page {
  public:
+  /// Lays the page out. O(length of all texts).
   explicit Page(const PageContent& content);
 
-  double width() const { return width_; }
-  double height() const { return height_; }
-  const Box& map() const { return map_; }  ///< The frame of the map, pixels.
-  View view() const;                       ///< Leaves a margin inside of the frame.
+  double width() const { return width_; }    ///< Of the page, pixels.
+  double height() const { return height_; }  ///< Of the page, pixels.
+  const Box& map() const { return map_; }    ///< The frame of the map, pixels.
+  View view() const;                         ///< Leaves a margin inside of the frame.
 
   /// Draws everything but the map: title, notes, legend, scale bar and `remark` beside it.
   void DrawAround(SvgWriter& svg, const std::string& remark) const;

@@ -1,6 +1,7 @@
 #include "tautline/draw/png.h"
 
 #include <cairo.h>
+#include <fontconfig/fontconfig.h>
 #include <librsvg/rsvg.h>
 
 #include <cmath>
@@ -15,6 +16,9 @@ struct Release {
   void operator()(GError* error) const { g_error_free(error); }
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
   void operator()(cairo_t* context) const { cairo_destroy(context); }
+  void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
+  void operator()(FcObjectSet* objects) const { FcObjectSetDestroy(objects); }
+  void operator()(FcFontSet* fonts) const { FcFontSetDestroy(fonts); }
 };
 
 tl::unexpected<Error> RenderFailure(GError* error) {
@@ -81,6 +85,13 @@ Expected<std::string> RenderPng(const std::string& svg, double scale) {
         "the picture would be larger than " + std::to_string(kMaxPngPixels) + " pixels; use a smaller scale", "scale"});
   }
   return RenderOnWhite(handle.get(), static_cast<int>(width), static_cast<int>(height));
+}
+
+bool HasFont() {
+  const std::unique_ptr<FcPattern, Release> any(FcPatternCreate());
+  const std::unique_ptr<FcObjectSet, Release> no_details(FcObjectSetCreate());
+  const std::unique_ptr<FcFontSet, Release> fonts(FcFontList(nullptr, any.get(), no_details.get()));
+  return fonts && fonts->nfont > 0;
 }
 
 }  // namespace tautline

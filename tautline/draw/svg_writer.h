@@ -17,46 +17,53 @@ std::string EscapeXml(std::string_view text);
 
 /// How a shape is painted. Colours are CSS colours; "none" paints nothing.
 struct SvgStyle {
-  std::string fill = "none";
-  std::string stroke = "none";
-  double width = 1;    ///< Of the stroke, pixels.
-  std::string dashes;  ///< Lengths of dashes and gaps, pixels: "6 3".
+  std::string fill = "none";    ///< Colour inside.
+  std::string stroke = "none";  ///< Colour of the edge.
+  double width = 1;             ///< Of the stroke, pixels.
+  std::string dashes;           ///< Lengths of dashes and gaps, pixels: "6 3".
 };
 
 /// The fill that DefineHatch defines.
 inline constexpr char kHatchFill[] = "url(#tautline-hatch)";
 
+/// Which part of a text stands at its point.
 enum class TextAnchor { kStart, kMiddle, kEnd };
 
+/// One line of text.
 struct SvgText {
-  Point at;  ///< The start, middle or end of the base line, by `anchor`.
-  std::string text;
-  double size = 12;  ///< Pixels.
-  TextAnchor anchor = TextAnchor::kStart;
-  bool bold = false;
-  bool italic = false;
-  std::string fill = "#1a1a1a";
-  std::string halo;  ///< Colour of an outline around the letters; "": none.
+  Point at;                                ///< The start, middle or end of the base line, by `anchor`.
+  std::string text;                        ///< UTF-8; it is escaped.
+  double size = 12;                        ///< Pixels.
+  TextAnchor anchor = TextAnchor::kStart;  ///< What `at` is.
+  bool bold = false;                       ///< Heavy letters.
+  bool italic = false;                     ///< Slanted letters.
+  std::string fill = "#1a1a1a";            ///< Colour of the letters.
+  std::string halo;                        ///< Colour of an outline around the letters; "": none.
 };
 
 /// Builds one SVG document. All coordinates are pixels with y down; points that are not finite are
 /// left out.
 class SvgWriter {
  public:
+  /// The document as a whole.
   struct Options {
     double width = 1000;  ///< Pixels.
     double height = 600;  ///< Pixels.
     int decimals = 2;     ///< Of coordinates; 1 keeps drawings of large maps lean.
     std::string title;    ///< Read out by screen readers.
   };
+
+  /// Starts the document.
   explicit SvgWriter(const Options& options);
 
   /// A group that names its layer; groups may be nested and must be closed.
   void OpenGroup(std::string_view layer);
+  /// Closes the group that was opened last.
   void CloseGroup();
 
   /// A group that shows only what lies inside of `window`.
   void OpenWindow(std::string_view layer, const Box& window);
+  /// Closes the window that was opened last.
   void CloseWindow();
 
   /// Defines a pattern of diagonal lines; SvgStyle::fill = kHatchFill uses it.
@@ -65,19 +72,27 @@ class SvgWriter {
   /// The closed rings as one shape filled by the even-odd rule, so that rings inside of rings are
   /// holes. Rings too small to see become dots.
   void Polygon(std::span<const Ring> rings, const SvgStyle& style);
+
+  /// Open lines as one shape.
   void Polylines(std::span<const Polyline> lines, const SvgStyle& style);
+
+  /// One open line.
   void Polyline(std::span<const Point> line, const SvgStyle& style);
 
   /// A smooth curve from the first to the last point that is pulled towards the points between (a
   /// quadratic B-spline).
   void Smooth(std::span<const Point> points, const SvgStyle& style);
 
+  /// A circle; `radius` in pixels.
   void Circle(Point centre, double radius, const SvgStyle& style);
+
+  /// A box, its corners rounded by `corner_radius` pixels.
   void Rectangle(const Box& box, const SvgStyle& style, double corner_radius = 0);
 
   /// A filled arrow head with its middle at `middle` and its tip towards `direction`.
   void ArrowHead(Point middle, Point direction, double size, const SvgStyle& style);
 
+  /// One line of text.
   void Text(const SvgText& text);
 
   /// The whole document; the writer is used up.

@@ -15,11 +15,12 @@ double TextWidth(std::string_view text, double size, bool bold = false);
 /// `text`, or its beginning with "…" when it is wider than `width`.
 std::string Ellipsize(std::string_view text, double size, double width);
 
+/// The font and the room of a text.
 struct WrapOptions {
   double size = 12;    ///< Of the font, pixels.
   double width = 200;  ///< Of a line, pixels.
   int max_lines = 3;   ///< The last line is shortened when there is more.
-  bool bold = false;
+  bool bold = false;   ///< Heavy letters, which are wider.
 };
 
 /// `text` broken at spaces into lines.

@@ -15,9 +15,13 @@ class View {
   /// An empty, flat or tiny box is widened about its centre until it can be shown.
   View(const Box& world, const Box& frame);
 
+  /// From metres to pixels, whose y points down.
   Point ToPixels(Point world) const;
+
+  /// The same for each point of a line.
   Polyline ToPixels(std::span<const Point> world) const;
 
+  /// The scale; positive.
   double pixels_per_metre() const { return scale_; }
 
  private:

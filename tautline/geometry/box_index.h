@@ -16,6 +16,7 @@ namespace tautline {
 /// least once, and perhaps several times.
 class BoxIndex {
  public:
+  /// The two ends of a segment, metres.
   using Segment = std::pair<Point, Point>;
 
   /// O(n) cells; long segments cost one entry per cell along them. Points are segments of length zero.

@@ -11,10 +11,12 @@ namespace tautline {
 /// Sets that only ever merge. Path halving; near-constant time per call.
 class DisjointSets {
  public:
+  /// `count` sets of one item each: 0, 1, ..., count - 1.
   explicit DisjointSets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
+  /// The representative of the set that holds the item: its smallest member.
   std::size_t Find(std::size_t item) {
     while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
     return item;

@@ -10,24 +10,29 @@
 
 namespace tautline {
 
+/// What is known of a cell.
 enum class CellState : std::uint8_t { kFree, kBlocked, kUnknown };
 
 /// columns x rows square cells. Cell (0, 0) has its lower left corner at `origin`; columns run along the direction
 /// `yaw`, rows to the left of it. `cells` holds row 0 first.
 struct OccupancyGrid {
-  int columns = 0;
-  int rows = 0;
-  double cell_m = 1;   ///< The side of a cell, metres.
-  Point origin;        ///< Metres, in the frame of the map.
-  double yaw_rad = 0;  ///< Counter-clockwise from the x axis.
-  std::vector<CellState> cells;
+  int columns = 0;               ///< Cells along the direction `yaw`.
+  int rows = 0;                  ///< Cells to the left of it.
+  double cell_m = 1;             ///< The side of a cell, metres.
+  Point origin;                  ///< Metres, in the frame of the map.
+  double yaw_rad = 0;            ///< Counter-clockwise from the x axis.
+  std::vector<CellState> cells;  ///< columns * rows states.
 
+  /// Whether all members are equal.
   friend bool operator==(const OccupancyGrid&, const OccupancyGrid&) = default;
 
+  /// The position of a cell in `cells`. Requires contains(column, row).
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
   }
+  /// Whether the grid has such a cell.
   bool contains(int column, int row) const { return column >= 0 && column < columns && row >= 0 && row < rows; }
+  /// The state of a cell. Requires contains(column, row).
   CellState at(int column, int row) const { return cells[index(column, row)]; }
 };
 

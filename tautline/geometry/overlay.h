@@ -13,7 +13,7 @@ namespace tautline {
 /// A ring of something that covers the ground where the winding number, summed over the rings of its source, is
 /// positive: outer rings run counter-clockwise, holes clockwise. Rings may cross, touch, overlap and repeat.
 struct CoverRing {
-  Ring points;
+  Ring points;                  ///< Metres, either orientation has its meaning.
   std::int32_t source = kWall;  ///< Whose ring it is; rings of one source are one thing.
 
   static constexpr std::int32_t kWall = -1;  ///< The source of rings that belong to the outside.
@@ -27,14 +27,15 @@ struct OverlayRing {
   double area = 0;            ///< Square metres; positive exactly when the ring runs counter-clockwise.
 };
 
+/// The free ground as rings, and what became of the sources.
 struct Overlay {
   /// Rings that bound free ground, counter-clockwise when they surround their component. A ring may touch itself or
   /// others in vertices: blocked ground that meets in a point is one component, free ground is not.
   std::vector<OverlayRing> rings;
-  std::int32_t free_count = 0;
-  std::int32_t blocked_count = 0;
-  std::vector<std::int32_t>
-      blocked_of_source;  ///< By source, that of its first piece; -1 when it vanished on the grid.
+  std::int32_t free_count = 0;     ///< Free components: 0 .. free_count-1.
+  std::int32_t blocked_count = 0;  ///< Blocked components: 0 .. blocked_count-1.
+  /// By source, that of its first piece; -1 when it vanished on the grid.
+  std::vector<std::int32_t> blocked_of_source;
   std::vector<std::int32_t> source_of_blocked;  ///< By blocked component: the lowest source with a piece in it, or -1.
   std::vector<Point> inside_of_blocked;         ///< By blocked component: a point in its widest part.
   std::int32_t wall = -1;                       ///< The blocked component that holds the outside.

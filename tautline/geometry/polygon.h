@@ -18,23 +18,29 @@ using Polyline = std::vector<Point>;
 /// A region bounded by `outer` without the regions bounded by `holes`. Orientations are free; operations that need
 /// one say so.
 struct PolygonWithHoles {
-  Ring outer;
-  std::vector<Ring> holes;
+  Ring outer;               ///< Around the region.
+  std::vector<Ring> holes;  ///< Cut out of it.
 
+  /// Whether both list the same points in the same order.
   friend bool operator==(const PolygonWithHoles&, const PolygonWithHoles&) = default;
 };
 
 /// An axis-aligned box, metres; empty (low > high) until something is added.
 struct Box {
-  Point low{1e300, 1e300};
-  Point high{-1e300, -1e300};
+  Point low{1e300, 1e300};     ///< The lower left corner.
+  Point high{-1e300, -1e300};  ///< The upper right corner.
 
+  /// Grows the box just so that it holds p.
   void Add(Point p);
+  /// Whether nothing was added.
   bool empty() const { return low.x > high.x; }
+  /// Width and height, metres. Requires a box that is not empty.
   Point size() const { return high - low; }
+  /// The middle. Requires a box that is not empty.
   Point centre() const { return 0.5 * (low + high); }
 };
 
+/// The smallest box that holds all points; empty when there are none. O(n).
 Box BoundingBox(std::span<const Point> points);
 
 /// The area of the ring in square metres: positive when it runs counter-clockwise. Summed about the first point, so
@@ -44,12 +50,13 @@ double SignedArea(std::span<const Point> ring);
 /// The length of an open polyline, metres.
 double Length(std::span<const Point> polyline);
 
-/// How often the ring winds around p, counter-clockwise positive. Exact; `on_boundary` says that p lies on the ring,
-/// where the number has no meaning. O(n).
+/// How a ring winds around a point.
 struct Winding {
-  int number = 0;
-  bool on_boundary = false;
+  int number = 0;            ///< Turns, counter-clockwise positive; without meaning on the boundary.
+  bool on_boundary = false;  ///< The point lies on the ring.
 };
+
+/// How often the ring winds around p. Exact. O(n).
 Winding WindingNumber(std::span<const Point> ring, Point p);
 
 /// Whether p is inside or on the boundary of the ring (non-zero winding).

@@ -12,9 +12,10 @@ namespace tautline {
 
 /// Two edges of a ring; edge i runs from point i to the next one. first < second.
 struct EdgePair {
-  std::size_t first = 0;
-  std::size_t second = 0;
+  std::size_t first = 0;   ///< The edge that comes first on the ring.
+  std::size_t second = 0;  ///< The other one.
 
+  /// Whether both edges are the same.
   friend bool operator==(const EdgePair&, const EdgePair&) = default;
 };
 

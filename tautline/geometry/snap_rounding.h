@@ -18,17 +18,22 @@ class SnapGrid {
   /// coordinate where that is coarser.
   explicit SnapGrid(const Box& box);
 
+  /// The distance of neighbouring points, metres; a power of two.
   double spacing() const { return spacing_; }
   /// The greatest coordinate of a grid point, counted from the centre of the grid.
   static constexpr std::int64_t kLimit = std::int64_t{1} << 40;
 
+  /// A point of the grid, counted in spacings from its centre.
   struct Node {
-    std::int64_t x = 0;
-    std::int64_t y = 0;
+    std::int64_t x = 0;  ///< To the right.
+    std::int64_t y = 0;  ///< Up.
+    /// By x, then y.
     friend constexpr auto operator<=>(const Node&, const Node&) = default;
   };
 
+  /// The nearest grid point. Requires p within kLimit of the centre.
   Node Round(Point p) const;
+  /// Where a grid point is, exactly.
   Point ToPoint(Node node) const;
 
  private:
@@ -38,7 +43,8 @@ class SnapGrid {
 
 /// A directed segment between grid nodes.
 struct GridSegment {
-  SnapGrid::Node from, to;
+  SnapGrid::Node from;  ///< Where it starts.
+  SnapGrid::Node to;    ///< Where it ends.
 };
 
 /// One chain of nodes per segment, from its `from` to its `to`, such that no two edges of the chains cross properly,

@@ -11,16 +11,16 @@ namespace tautline {
 
 /// A ring that knows whose it is.
 struct SourcedRing {
-  Ring points;
-  std::int32_t source = 0;
+  Ring points;              ///< Metres; either orientation.
+  std::int32_t source = 0;  ///< Its boundary moves onto those of lower numbers.
 };
 
 /// A boundary point of `source` that was moved onto the boundary of `onto`.
 struct VertexMove {
-  std::int32_t source = 0;
-  std::int32_t onto = 0;
-  Point from;
-  Point to;
+  std::int32_t source = 0;  ///< Whose point was moved.
+  std::int32_t onto = 0;    ///< Whose boundary it lies on now.
+  Point from;               ///< Where it was.
+  Point to;                 ///< Where it is now.
 };
 
 /// Moves boundaries of different sources that come within `tolerance` metres of each other onto one another: a vertex

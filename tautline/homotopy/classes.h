@@ -12,6 +12,7 @@
 
 namespace tautline {
 
+/// Where the list of classes ends.
 struct ClassOptions {
   std::optional<double> max_length;       ///< Metres; only classes whose taut path is no longer.
   std::optional<std::int64_t> max_count;  ///< Only the so many shortest.
@@ -19,9 +20,11 @@ struct ClassOptions {
   KeepGoing keep_going = {};              ///< Asked now and then; at a no the list ends as at the budget's end.
 };
 
+/// The classes that were found, and whether they are all.
 struct ClassList {
   std::vector<TautPath> classes;  ///< Shortest first; equal lengths by word.
   bool complete = false;          ///< No class up to max_length is missing.
+  /// The search stopped at its budget; longer classes may be missing.
   bool budget_exceeded = false;
 };
 

@@ -15,6 +15,7 @@ using CornerId = Index<struct CornerTag>;  ///< A corner, by position.
 /// Which side of a directed line the obstacle at a corner lies on, when the line is tangent there.
 enum class Side : std::uint8_t { kNone, kLeft, kRight };
 
+/// The other side, as for a traveller in the other direction; kNone stays.
 constexpr Side Opposite(Side side) {
   return side == Side::kLeft ? Side::kRight : side == Side::kRight ? Side::kLeft : Side::kNone;
 }
@@ -22,8 +23,8 @@ constexpr Side Opposite(Side side) {
 /// A boundary vertex with the one free sector there that is wider than a half turn. Where blocked ground touches, the
 /// vertex has other sectors besides.
 struct Corner {
-  VertexId vertex;
-  Point point;
+  VertexId vertex;   ///< Of the mesh.
+  Point point;       ///< Where it is.
   Point previous;    ///< The boundary vertex before it, free ground on the left: the end of the sector.
   Point next;        ///< The boundary vertex after it: where the sector starts, counter-clockwise.
   TriangleId first;  ///< The free triangle of the sector at the edge to `next`.
@@ -36,10 +37,14 @@ struct Corner {
 /// The corners of a free mesh and the sectors that they own.
 class Corners {
  public:
+  /// All corners of the mesh, which must be that of `space`. O(n) for n boundary vertices.
   Corners(const FreeSpace& space, const FreeMesh& mesh);
 
+  /// All corners, by CornerId.
   std::span<const Corner> all() const { return corners_; }
+  /// A corner.
   const Corner& operator[](CornerId id) const { return corners_[id.index()]; }
+  /// How many there are.
   std::size_t size() const { return corners_.size(); }
 
   /// The corner whose sector holds the free triangle `id` at its vertex i; invalid when that sector is convex.

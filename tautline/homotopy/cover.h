@@ -14,6 +14,7 @@ namespace tautline {
 /// class from its first triangle to its last. It is the one path in the dual tree of the universal cover.
 class Sleeve {
  public:
+  /// The class that stays in a triangle.
   explicit Sleeve(TriangleId first) : triangles_{first} {}
 
   /// Steps to a neighbouring triangle (or stays), cancelling a step that is undone. O(1).
@@ -27,14 +28,19 @@ class Sleeve {
     }
   }
 
+  /// The triangles in the order of the walk, each a neighbour of the one before it.
   std::span<const TriangleId> triangles() const { return triangles_; }
+  /// The first triangle.
   TriangleId front() const { return triangles_.front(); }
+  /// The last triangle.
   TriangleId back() const { return triangles_.back(); }
+  /// How many triangles; at least one.
   std::size_t size() const { return triangles_.size(); }
 
   /// The same class walked from its end to its start. O(n).
   Sleeve Reversed() const;
 
+  /// Whether both pass the same triangles: walks between the same ends are then of one class.
   friend bool operator==(const Sleeve&, const Sleeve&) = default;
 
  private:
@@ -43,11 +49,12 @@ class Sleeve {
 
 /// A walk through the free space: where it is, and the class that took it there.
 struct Walk {
+  /// A walk that has not left its start.
   explicit Walk(Place start) : from(start.point), at(start.point), sleeve(start.triangle) {}
 
-  Point from;  ///< Where the walk began, in the first triangle of the sleeve.
-  Point at;    ///< Where the walk stands, in the last triangle of the sleeve.
-  Sleeve sleeve;
+  Point from;           ///< Where the walk began, in the first triangle of the sleeve.
+  Point at;             ///< Where the walk stands, in the last triangle of the sleeve.
+  Sleeve sleeve;        ///< Its class.
   bool rooted = false;  ///< On a vertex with several free sectors, it must leave by that of its first triangle.
 
   /// Whether it may still leave its first point by any sector.

@@ -14,8 +14,8 @@ namespace tautline {
 
 /// A point of the closed free space with a free triangle that holds it.
 struct Place {
-  Point point;
-  TriangleId triangle;
+  Point point;          ///< The point itself, metres.
+  TriangleId triangle;  ///< One of the free triangles whose closed region holds it.
 };
 
 /// The constrained Delaunay triangulation of a free space; each triangle is free or blocked.
@@ -24,10 +24,14 @@ class FreeMesh {
   /// O(n log n) for n boundary vertices.
   explicit FreeMesh(const FreeSpace& space);
 
+  /// All triangles, the blocked ones too.
   const Triangulation& triangulation() const { return mesh_; }
+  /// Where a vertex is.
   Point point(VertexId id) const { return mesh_.point(id); }
+  /// A triangle.
   const Triangle& triangle(TriangleId id) const { return mesh_.triangle(id); }
 
+  /// Whether the triangle exists and is part of the free space.
   bool IsFree(TriangleId id) const { return id.valid() && component_[id.index()] >= 0; }
 
   /// The connected component of a free triangle, a number from 0 on.

@@ -17,6 +17,7 @@ namespace tautline {
 
 /// A tangent from a point to a corner, or, read backwards, the last leg of a taut walk to that point.
 struct TautLeg {
+  /// The corner that the line touches.
   CornerId corner;
   Side side = Side::kNone;  ///< Of the corner's obstacle, seen from the point.
   double length = 0;        ///< Metres.
@@ -56,6 +57,7 @@ class GoalField {
   /// each edge is looked at once and no turn is tested: O(e log e) for e edges in all.
   void GrowTo(double radius);
 
+  /// How far the field has grown, metres; infinite when it is complete.
   double radius() const { return radius_; }
   /// Every distance is known, and what is not known does not exist.
   bool complete() const { return radius_ == std::numeric_limits<double>::infinity(); }
@@ -63,7 +65,9 @@ class GoalField {
   /// No way from the corner to the goal that is not known yet is shorter than this, metres; it may be negative.
   double LeastUnknown(CornerId corner) const { return radius_ - ToTarget(corner); }
 
+  /// The space that the field lies in.
   const TautSpace& space() const { return *space_; }
+  /// Where all distances end.
   const Place& goal() const { return goal_; }
 
   /// The least length from the head of the edge to the goal over walks that go on from the edge with taut turns;

@@ -16,6 +16,7 @@ namespace tautline {
 /// are ordered by ObstacleId, the lower one first for a traveller to the right.
 class Rays {
  public:
+  /// One ray from the representative of each island. O(n log n) for n islands.
   explicit Rays(const FreeSpace& space);
 
   /// The reduced word of a polyline that does not pass through a representative point. Homotopic paths have equal

@@ -10,6 +10,7 @@ namespace tautline {
 
 /// A bend of a taut curve, or one of its two ends.
 struct TautPoint {
+  /// Where the curve bends or ends.
   Point point;
   VertexId vertex;  ///< Invalid at an end.
 };

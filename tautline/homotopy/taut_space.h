@@ -19,6 +19,7 @@ namespace tautline {
 /// Where a polyline leaves the free space.
 struct Departure {
   std::size_t segment = 0;  ///< By its first point; 0 as well when the first point of all is outside.
+  /// The place itself, metres.
   Point at;
 };
 
@@ -32,10 +33,15 @@ class TautSpace {
   /// The same where what the corners see is known: that of graph().sight() of an equal space. O(n log n).
   TautSpace(FreeSpace space, const SightList& sight);
 
+  /// The free space that it was made from.
   const FreeSpace& free_space() const { return space_; }
+  /// Its triangulation.
   const FreeMesh& mesh() const { return mesh_; }
+  /// Where taut curves can bend.
   const Corners& corners() const { return corners_; }
+  /// The lines that taut curves run along.
   const VisibilityGraph& graph() const { return graph_; }
+  /// What words are read from.
   const Rays& rays() const { return rays_; }
 
   /// Points and segments that are outside of the free space by no more than this are moved onto its boundary, metres.
@@ -63,11 +69,15 @@ class TautSpace {
   double tolerance_;
 };
 
-/// The polyline pulled tight in its class, or where it leaves the free space. O(triangles crossed).
+/// A polyline pulled tight, or where it leaves the free space.
 struct Shortened {
+  /// Its taut curve; empty when it leaves the free space.
   TautPath path;
+  /// Where it leaves the free space, if it does.
   std::optional<Departure> departure;
 };
+
+/// Pulls a polyline tight in its class. Requires a point. O(triangles crossed).
 Shortened Shorten(const TautSpace& space, std::span<const Point> polyline);
 
 }  // namespace tautline

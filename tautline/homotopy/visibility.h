@@ -11,10 +11,12 @@ namespace tautline {
 
 /// A corner in sight along a line that is tangent there. Sight may graze boundaries and pass along them.
 struct Sighting {
+  /// The corner that is seen.
   CornerId corner;
   Side tail = Side::kNone;  ///< Where the viewer's own obstacle lies, looking at the corner; kNone for a free point.
   Side head = Side::kNone;  ///< Where the corner's obstacle lies, seen by the viewer.
 
+  /// By corner, then tail, then head.
   friend auto operator<=>(const Sighting&, const Sighting&) = default;
 };
 

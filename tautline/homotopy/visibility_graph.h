@@ -15,10 +15,14 @@ using EdgeId = Index<struct EdgeTag>;  ///< A directed edge of the reduced visib
 
 /// A directed bitangent between two corners.
 struct TautEdge {
+  /// Where it starts.
   CornerId from;
+  /// Where it ends.
   CornerId to;
   double length = 0;  ///< Metres.
+  /// The side of the obstacle at `from`, for a traveller along the edge.
   Side tail = Side::kNone;
+  /// The side of the obstacle at `to`, for a traveller along the edge.
   Side head = Side::kNone;
   EdgeId reverse;  ///< The same edge in the other direction.
   EdgeId onward;   ///< Where the taut ways on from its head begin; see VisibilityGraph::Onward.
@@ -65,7 +69,9 @@ class VisibilityGraph {
   /// What the graph was made from. O(e log d).
   SightList sight() const;
 
+  /// All edges by EdgeId, those that leave one corner beside each other.
   std::span<const TautEdge> edges() const { return edges_; }
+  /// An edge.
   const TautEdge& edge(EdgeId id) const { return edges_[id.index()]; }
 
   /// The edges that leave a corner.

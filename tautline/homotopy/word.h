@@ -14,9 +14,10 @@ namespace tautline {
 
 /// One crossing of an obstacle's upward ray: left to right, or (inverse) right to left.
 struct Letter {
-  ObstacleId obstacle;
-  bool inverse = false;
+  ObstacleId obstacle;   ///< Whose ray is crossed.
+  bool inverse = false;  ///< From right to left.
 
+  /// By obstacle, then forwards before inverse.
   friend auto operator<=>(const Letter&, const Letter&) = default;
 };
 
@@ -24,6 +25,7 @@ struct Letter {
 /// their reduced words are equal.
 class Word {
  public:
+  /// The empty word: that of a path that crosses no ray.
   Word() = default;
 
   /// Appends a letter, or cancels it against its inverse at the end. O(1).
@@ -32,14 +34,19 @@ class Word {
   /// Appends all letters of `other`, cancelling where they meet.
   void Append(const Word& other);
 
+  /// The word of the path walked backwards: w * w.Inverse() is empty. O(letters).
   Word Inverse() const;
 
+  /// The letters in the order of the path.
   std::span<const Letter> letters() const { return letters_; }
+  /// Whether there is no letter.
   bool empty() const { return letters_.empty(); }
+  /// How many letters there are.
   std::size_t size() const { return letters_.size(); }
 
   friend bool operator==(const Word&, const Word&) = default;
-  // By hand: the standard library of the browser's compiler has no <=> for vectors.
+  /// Letter by letter, as words of a dictionary. By hand: the standard library of the browser's compiler has no <=> for
+  /// vectors.
   friend bool operator<(const Word& a, const Word& b) { return a.letters_ < b.letters_; }
 
  private:

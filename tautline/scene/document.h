@@ -11,35 +11,38 @@
 
 namespace tautline {
 
-/// Limits of a document, far above any scene and low enough to refuse files made to exhaust memory.
-inline constexpr std::size_t kMaxDocumentBytes = std::size_t{64} << 20;
-inline constexpr std::size_t kMaxDocumentValues = 6'000'000;
-inline constexpr std::size_t kMaxDocumentDepth = 64;
+// Limits of a document, far above any scene and low enough to refuse files made to exhaust memory.
+
+inline constexpr std::size_t kMaxDocumentBytes = std::size_t{64} << 20;  ///< Of its text.
+inline constexpr std::size_t kMaxDocumentValues = 6'000'000;             ///< Values, each element of a list counted.
+inline constexpr std::size_t kMaxDocumentDepth = 64;                     ///< Lists and maps within each other.
 
 /// A place in a text; both count from 1.
 struct Position {
-  int line = 1;
-  int column = 1;
+  int line = 1;    ///< From the start of the text.
+  int column = 1;  ///< From the start of the line.
 };
 
 /// A key of a map and where it stands.
 struct DocumentKey {
-  std::string name;
-  Position position;
+  std::string name;   ///< As written, without quotes.
+  Position position;  ///< Where it starts.
 };
 
 /// One value: nothing, true or false, a finite number, a text, a list or a map.
 struct Document {
+  /// What a value is.
   enum class Kind { kNull, kBool, kNumber, kString, kList, kMap };
 
-  Kind kind = Kind::kNull;
-  Position position;
-  bool boolean = false;
-  double number = 0;
-  std::string text;
+  Kind kind = Kind::kNull;        ///< Which of the members below has a meaning.
+  Position position;              ///< Where it starts.
+  bool boolean = false;           ///< Of kBool.
+  double number = 0;              ///< Of kNumber; finite.
+  std::string text;               ///< Of kString.
   std::vector<Document> items;    ///< The elements of a list, or the values of a map.
   std::vector<DocumentKey> keys;  ///< Of a map, in the order of the file; keys[i] belongs to items[i]. Unique.
 
+  /// Whether it is of this kind.
   bool is(Kind k) const { return kind == k; }
 
   /// The value of a key of a map; null when there is none. O(keys).
@@ -59,15 +62,16 @@ std::string Quoted(std::string_view text);
 /// false and changes nothing. Calls must be well nested; keys alternate with values inside a map.
 class DocumentBuilder {
  public:
+  /// `file` stands in the errors.
   explicit DocumentBuilder(std::string file) : file_(std::move(file)) {}
 
-  bool Null(Position at);
-  bool Bool(bool value, Position at);
-  bool Number(double value, Position at);  ///< Fails on NaN and infinity.
-  bool String(std::string value, Position at);
-  bool StartList(Position at) { return Start(Document::Kind::kList, at); }
-  bool StartMap(Position at) { return Start(Document::Kind::kMap, at); }
-  bool Key(std::string name, Position at);
+  bool Null(Position at);                                                   ///< A value that is nothing.
+  bool Bool(bool value, Position at);                                       ///< True or false.
+  bool Number(double value, Position at);                                   ///< Fails on NaN and infinity.
+  bool String(std::string value, Position at);                              ///< A text, UTF-8.
+  bool StartList(Position at) { return Start(Document::Kind::kList, at); }  ///< Until End, values are elements.
+  bool StartMap(Position at) { return Start(Document::Kind::kMap, at); }    ///< Until End, keys and values.
+  bool Key(std::string name, Position at);                                  ///< Of the value that comes next.
   bool End();  ///< Of the innermost list or map. Fails on a map with a key that stands twice.
   bool Copy(const Document& value, Position at);  ///< A whole value again; it counts against the limit of values.
 
@@ -77,8 +81,11 @@ class DocumentBuilder {
   /// Records a failure (the first one stays) and returns false.
   bool Fail(std::string message, Position at, ErrorCode code = ErrorCode::kInvalidInput);
 
+  /// Whether the innermost is a map that waits for a key.
   bool expects_key() const;
+  /// Whether a call has failed.
   bool failed() const { return failed_; }
+  /// How many lists and maps are open.
   std::size_t depth() const { return open_.size(); }
 
   /// The value that was completed last. Requires one.

@@ -25,9 +25,12 @@ inline constexpr std::size_t kMaxScenePoints = 1'000'000;
 /// names a value in messages: "tether.length".
 class FieldReader {
  public:
+  /// `file` stands in the errors.
   explicit FieldReader(std::string file) : file_(std::move(file)) {}
 
+  /// Whether there was no error.
   bool ok() const { return ok_; }
+  /// The first error. Requires !ok().
   const Error& error() const { return error_; }
 
   /// "scene.yaml:7".
@@ -35,13 +38,17 @@ class FieldReader {
 
   /// Records the error unless there is one already.
   void Fail(Position at, std::string message, ErrorCode code = ErrorCode::kInvalidInput);
+
+  /// The same for an error that another reader found.
   void Fail(Error error);
 
   /// Records what is wrong with `what`, if anything is.
   void Check(const std::optional<Fault>& fault, Position at, std::string_view what);
 
-  /// Whether the value has the form; records an error when not.
+  /// Whether the value is a map; records an error when not.
   bool IsMap(const Document& value, std::string_view what);
+
+  /// Whether the value is a list; records an error when not.
   bool IsList(const Document& value, std::string_view what);
 
   /// Refuses keys that are not known, with the nearest known one as a hint. O(keys * known).
@@ -50,6 +57,7 @@ class FieldReader {
   /// The value of a key that must be there; null after an error.
   const Document* Required(const Document& map, std::string_view what, std::string_view key);
 
+  /// A number; 0 after an error.
   double ReadNumber(const Document& value, std::string_view what);
   double ReadPositive(const Document& value, std::string_view what);     ///< > 0.
   double ReadNonNegative(const Document& value, std::string_view what);  ///< >= 0.
@@ -61,7 +69,10 @@ class FieldReader {
   /// Counts towards kMaxScenePoints; an error beyond it.
   void CountPoint(Position at);
 
+  /// A list of two numbers: x and y, metres.
   Point ReadPoint(const Document& value, std::string_view what);
+
+  /// A list of `at_least` points or more. All lists of a reader together hold no more than kMaxScenePoints.
   Polyline ReadPoints(const Document& value, std::string_view what, std::size_t at_least);
 
  private:

@@ -17,15 +17,15 @@ namespace tautline {
 /// rings around obstacles clockwise. No vertex is collinear with its neighbours; a ring may touch itself or another
 /// ring in a point that is a vertex of either, never cross.
 struct BoundaryRing {
-  Ring points;
+  Ring points;          ///< Metres.
   ObstacleId obstacle;  ///< The island that it bounds; invalid when it bounds (something merged with) the wall.
 };
 
 /// A connected piece of the free space.
 struct FreeComponent {
-  BoundaryRing outer;
-  std::vector<BoundaryRing> holes;
-  double area = 0;  ///< Square metres.
+  BoundaryRing outer;               ///< Around it.
+  std::vector<BoundaryRing> holes;  ///< Around the blocked ground inside it.
+  double area = 0;                  ///< Square metres.
 };
 
 /// An island of blocked ground: a letter of the words of this free space.
@@ -47,11 +47,12 @@ struct Merge {
 /// A boundary vertex that was moved onto another boundary nearer than the snap tolerance.
 struct Snap {
   std::string obstacle;  ///< Whose vertex; "wall" for the outline.
-  Point from;
-  Point to;
-  std::string onto;  ///< The obstacle (or "wall") that it was moved onto.
+  Point from;            ///< Where it was, metres.
+  Point to;              ///< Where it is now.
+  std::string onto;      ///< The obstacle (or "wall") that it was moved onto.
 };
 
+/// How the free space is made.
 struct FreeSpaceOptions {
   /// Largest distance by which a rounded corner or a circle may be grown beyond the true arc, as a fraction of its
   /// radius.
@@ -65,12 +66,13 @@ struct FreeSpace {
   std::vector<FreeComponent> components;  ///< Largest area first.
   std::vector<Island> islands;            ///< By ObstacleId, in the order of the scene; the alphabet of the words.
   std::vector<Merge> merges;              ///< In the order of their first members.
-  std::vector<Snap> snaps;
-  Box box;               ///< Around the outline.
-  double clearance = 0;  ///< Metres, as built in.
-  double snap = 0;       ///< Metres, as used.
-  double grid = 0;       ///< The spacing of the coordinate grid that all vertices lie on, metres.
+  std::vector<Snap> snaps;                ///< Every vertex that was moved.
+  Box box;                                ///< Around the outline.
+  double clearance = 0;                   ///< Metres, as built in.
+  double snap = 0;                        ///< Metres, as used.
+  double grid = 0;                        ///< The spacing of the coordinate grid that all vertices lie on, metres.
 
+  /// The name of an island.
   const std::string& name(ObstacleId id) const { return islands[id.index()].name; }
 };
 

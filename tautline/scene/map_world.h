@@ -12,10 +12,11 @@
 
 namespace tautline {
 
+/// What a map says about the world.
 struct MapWorld {
-  Ring outline;
-  std::vector<Obstacle> obstacles;  ///< `name` is empty where the map gives none.
-  MapSource source;
+  Ring outline;                        ///< Around the free space, metres.
+  std::vector<Obstacle> obstacles;     ///< `name` is empty where the map gives none.
+  MapSource source;                    ///< Where it came from.
   std::optional<OccupancyGrid> cells;  ///< Of a map of cells; unknown cells as they stand in the map.
 };
 

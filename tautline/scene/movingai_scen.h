@@ -13,19 +13,21 @@ namespace tautline {
 
 /// A cell as a `.scen` file counts it: column from the left, row from the top, both from 0.
 struct ScenCell {
-  int column = 0;
-  int row = 0;
+  int column = 0;  ///< From the left.
+  int row = 0;     ///< From the top.
 
+  /// Whether column and row are equal.
   friend bool operator==(const ScenCell&, const ScenCell&) = default;
 };
 
+/// One line of the file.
 struct ScenProblem {
-  int bucket = 0;
-  std::string map;  ///< As written.
-  int width = 0;
-  int height = 0;
-  ScenCell start;
-  ScenCell goal;
+  int bucket = 0;            ///< Of problems of similar length.
+  std::string map;           ///< As written.
+  int width = 0;             ///< Of the map, cells.
+  int height = 0;            ///< Of the map, cells.
+  ScenCell start;            ///< Where the path starts.
+  ScenCell goal;             ///< Where it ends.
   double octile_length = 0;  ///< Of the shortest path over 8 neighbours that cuts no corners, cells.
 };
 

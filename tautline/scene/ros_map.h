@@ -16,14 +16,14 @@ enum class RosMapMode { kTrinary, kScale, kRaw };
 
 /// The settings of a map YAML, as nav2_map_server reads them.
 struct RosMapSettings {
-  std::string image;           ///< As written: absolute, or relative to the YAML file.
-  double resolution_m = 0;     ///< Metres per pixel: 1e-6..1e6.
-  Point origin;                ///< Of the lower left corner of the lower left pixel, metres.
-  double yaw_rad = 0;          ///< Counter-clockwise.
-  bool negate = false;         ///< White is occupied.
-  double occupied_thresh = 0;  ///< 0..1.
-  double free_thresh = 0;      ///< 0..1, not above occupied_thresh.
-  RosMapMode mode = RosMapMode::kTrinary;
+  std::string image;                       ///< As written: absolute, or relative to the YAML file.
+  double resolution_m = 0;                 ///< Metres per pixel: 1e-6..1e6.
+  Point origin;                            ///< Of the lower left corner of the lower left pixel, metres.
+  double yaw_rad = 0;                      ///< Counter-clockwise.
+  bool negate = false;                     ///< White is occupied.
+  double occupied_thresh = 0;              ///< 0..1.
+  double free_thresh = 0;                  ///< 0..1, not above occupied_thresh.
+  RosMapMode mode = RosMapMode::kTrinary;  ///< How pixels become cells.
 };
 
 /// Reads the settings. `image`, `resolution`, `origin` (x, y, yaw), `negate`, `occupied_thresh` and `free_thresh` are

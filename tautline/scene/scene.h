@@ -13,51 +13,53 @@ namespace tautline {
 
 /// A disc, metres.
 struct Circle {
-  Point centre;
-  double radius = 0;
+  Point centre;       ///< Where it is.
+  double radius = 0;  ///< Positive.
 
+  /// Whether centre and radius are equal.
   friend bool operator==(const Circle&, const Circle&) = default;
 };
 
 /// Something that neither robot nor tether may enter: exactly one of `polygon` and `circle`.
 struct Obstacle {
-  std::string name;  ///< Unique in the scene; given, or o1, o2, ... by position.
-  std::optional<PolygonWithHoles> polygon;
-  std::optional<Circle> circle;
-  std::optional<Point> representative;  ///< Where its ray starts; strictly inside. Absent: chosen.
-  bool from_map = false;                ///< Traced from a map rather than listed in the scene.
+  std::string name;                         ///< Unique in the scene; given, or o1, o2, ... by position.
+  std::optional<PolygonWithHoles> polygon;  ///< Metres, either orientation.
+  std::optional<Circle> circle;             ///< Becomes a polygon that errs outwards.
+  std::optional<Point> representative;      ///< Where its ray starts; strictly inside. Absent: chosen.
+  bool from_map = false;                    ///< Traced from a map rather than listed in the scene.
 };
 
 /// Where the world came from, when it was read from a map file.
 struct MapSource {
-  std::string path;         ///< As given.
-  std::string kind;         ///< "ros", "movingai", "geojson".
-  double resolution = 0;    ///< Metres per cell; 0 for GeoJSON.
-  int columns = 0;          ///< Cells; 0 for GeoJSON.
-  int rows = 0;             ///< Cells; 0 for GeoJSON.
-  Point origin;             ///< ROS: pose of the lower left corner. GeoJSON: longitude and latitude of (0, 0).
-  double origin_yaw = 0;    ///< ROS, radians.
-  bool geographic = false;  ///< GeoJSON in longitude and latitude, projected to local metres.
-  std::size_t free_cells = 0;
-  std::size_t blocked_cells = 0;
+  std::string path;                  ///< As given.
+  std::string kind;                  ///< "ros", "movingai", "geojson".
+  double resolution = 0;             ///< Metres per cell; 0 for GeoJSON.
+  int columns = 0;                   ///< Cells; 0 for GeoJSON.
+  int rows = 0;                      ///< Cells; 0 for GeoJSON.
+  Point origin;                      ///< ROS: pose of the lower left corner. GeoJSON: longitude and latitude of (0, 0).
+  double origin_yaw = 0;             ///< ROS, radians.
+  bool geographic = false;           ///< GeoJSON in longitude and latitude, projected to local metres.
+  std::size_t free_cells = 0;        ///< Cells that the map calls free.
+  std::size_t blocked_cells = 0;     ///< Cells that the map calls blocked.
   std::size_t unknown_cells = 0;     ///< ROS: counted as blocked unless asked otherwise.
   double simplify = 0;               ///< The tolerance of --simplify, metres; 0: exact cell boundaries.
   std::size_t skipped_features = 0;  ///< GeoJSON: geometries that are no polygons or say that they are to be ignored.
 };
 
+/// The ground: an outline and what stands in it.
 struct World {
   Ring outline;                     ///< Around the free space; the rectangle of the map for a map of cells. Empty for
                                     ///< a scene without a world (a fleet alone in the plane).
   std::vector<Obstacle> obstacles;  ///< Those of the scene in order, then those traced from the map.
   double clearance = 0;             ///< Metres by which every wall and obstacle grows.
   double snap = 1e-6;               ///< Metres below which boundaries are joined; every such merge is reported.
-  std::optional<MapSource> map;
+  std::optional<MapSource> map;     ///< Where it came from, when from a map.
   std::optional<OccupancyGrid> cells;  ///< Of a map of cells, unknown cells as they stand in the map.
 };
 
 /// One tethered robot.
 struct Tether {
-  Point base;
+  Point base;                    ///< Where it is tied.
   double length = 0;             ///< Metres.
   std::optional<Polyline> laid;  ///< The cable as it lies, base first, robot last; absent: the robot is at the base.
 };
@@ -68,38 +70,43 @@ struct Cables {
   std::optional<std::vector<Polyline>> laid;  ///< One polyline per anchor, robot first, anchor last.
 };
 
+/// A way that an obstacle may move on.
 struct ObstacleMove {
-  std::string obstacle;
-  Polyline path;  ///< Of its representative point, from where it is now.
+  std::string obstacle;  ///< By its name.
+  Polyline path;         ///< Of its representative point, from where it is now.
 };
 
+/// One of several things that may happen.
 struct Future {
-  double probability = 0;
-  std::vector<ObstacleMove> moves;
+  double probability = 0;           ///< 0..1; those of all futures sum to 1.
+  std::vector<ObstacleMove> moves;  ///< Obstacles that are not named stay.
 };
 
+/// One robot of a fleet, tied to its start.
 struct FleetRobot {
-  std::string name;
-  Point start;
-  Point target;
+  std::string name;               ///< Unique in the fleet.
+  Point start;                    ///< Where it stands and is tied, metres.
+  Point target;                   ///< Where it is to go, metres.
   std::optional<Polyline> cable;  ///< The target cable line, start to target.
   double speed = 0;               ///< Metres per second.
 };
 
+/// Several tethered robots.
 struct Fleet {
-  std::vector<FleetRobot> robots;
+  std::vector<FleetRobot> robots;  ///< In the order of the scene.
 };
 
+/// All that one file says; each planner uses its part.
 struct Scene {
-  std::string path;  ///< The file it came from; empty when built in memory.
-  World world;
-  std::optional<Tether> tether;
-  std::optional<Point> goal;
-  std::optional<Cables> cables;
-  std::vector<Point> tasks;
-  std::optional<double> max_boundary;
-  std::vector<Future> futures;
-  std::optional<Fleet> fleet;
+  std::string path;                    ///< The file it came from; empty when built in memory.
+  World world;                         ///< Where everything happens.
+  std::optional<Tether> tether;        ///< Of the one tethered robot.
+  std::optional<Point> goal;           ///< Of the one robot, metres.
+  std::optional<Cables> cables;        ///< Of a robot that cables move.
+  std::vector<Point> tasks;            ///< Places that a workspace is to hold, metres.
+  std::optional<double> max_boundary;  ///< Longest boundary of a workspace, metres.
+  std::vector<Future> futures;         ///< Empty: nothing moves.
+  std::optional<Fleet> fleet;          ///< Several robots instead of one.
 };
 
 }  // namespace tautline

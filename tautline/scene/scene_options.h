@@ -4,6 +4,7 @@
 
 namespace tautline {
 
+/// How a scene and its map are read.
 struct SceneOptions {
   bool unknown_free = false;  ///< Unknown cells of a ROS map are free rather than blocked.
   double simplify = 0;        ///< Metres (>= 0, finite) by which a boundary traced from cells may move, outwards

@@ -11,6 +11,7 @@ namespace tautline {
 /// Hands out the lines of a text, which must outlive it; a carriage return before the line's end is dropped.
 class TextLines {
  public:
+  /// Before the first line of `text`.
   explicit TextLines(std::string_view text) : rest_(text) {}
 
   /// The next line without its end; nothing after the last one.

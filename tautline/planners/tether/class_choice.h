@@ -10,6 +10,7 @@
 
 namespace tautline {
 
+/// What limits the search.
 struct ClassChoiceOptions {
   double max_tether = 0;            ///< Metres, from the walk's start.
   std::int64_t budget = 5'000'000;  ///< Labels after which the search gives up.
@@ -20,6 +21,7 @@ struct ClassChoiceOptions {
 struct ClassChoice {
   std::optional<Polyline> path;  ///< From the robot to the goal, taut.
   std::int64_t labels = 0;       ///< Labels looked at.
+  /// The search gave up: nothing is proved.
   bool budget_exceeded = false;
 };
 

@@ -12,10 +12,16 @@ namespace tautline {
 
 /// "the goal (1, 2) lies inside ..."; `what` is "the goal".
 std::string ExplainBlocked(const TautSpace& space, const std::string& what, Point at);
+/// Why the cable cannot lie as it is said to: `at` is where it leaves the free space, or where the robot stands, as
+/// FollowLaidCable reports it. Requires a fault of the laid cable.
 std::string ExplainLaidCable(const TautSpace& space, PlanObstruction obstruction, Point at);
+/// That goal and robot stand on parts of the free ground that are not connected.
 std::string ExplainUnreachable(Point goal);
+/// That the laid cable, pulled taut, needs more than the tether has; lengths in metres.
 std::string ExplainLaidTooLong(double taut_length, double limit);
+/// By how much the tether of length `limit`, metres, falls short of `shortest`, the class that needs the least.
 std::string ExplainTooShort(const TautSpace& space, const TautPath& shortest, double limit);
+/// That the search stopped after its budget of so many steps.
 std::string ExplainBudget(std::int64_t budget);
 std::string ExplainStopped();
 

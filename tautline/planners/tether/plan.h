@@ -37,6 +37,7 @@ struct Motion {
   TautPath tether;  ///< The taut tether at the goal, base first.
 };
 
+/// What else is asked, and when the search gives up.
 struct PlanOptions {
   /// Also list every class of the goal that the tether allows.
   bool all = false;
@@ -49,8 +50,11 @@ struct PlanOptions {
   KeepGoing keep_going = {};
 };
 
+/// The answer: a motion, or why there is none.
 struct PlanResult {
+  /// How the search ended.
   PlanStatus status = PlanStatus::kInfeasible;
+  /// Why there is no motion; kNone unless status is kInfeasible.
   PlanObstruction obstruction = PlanObstruction::kNone;
   std::string explanation;                  ///< One sentence with the numbers when there is no plan.
   double limit = 0;                         ///< The tether's length, metres.

@@ -10,7 +10,7 @@ namespace tautline {
 
 /// Where the tether enters the grown free space.
 struct Socket {
-  Point base;
+  Point base;              ///< Where the tether is tied, metres.
   Place exit;              ///< In the grown free space; the base itself when that is free.
   double stub_length = 0;  ///< From the base to the exit, metres; counts towards the tether.
 };

@@ -19,6 +19,7 @@ inline constexpr double kTetherTolerance = 1e-9;
 
 /// The laid cable in the prepared space: where it starts, how it runs, where the robot stands.
 struct LaidCable {
+  /// Where it enters the free space.
   Socket socket;
   Walk walk;               ///< From the socket's exit to the robot.
   bool in_socket = false;  ///< The robot stands at the base, inside the socket.
@@ -39,7 +40,9 @@ struct LaidCable {
 
 /// Why a cable cannot lie as it is said to; `at` is the place.
 struct LaidCableFault {
+  /// What is wrong.
   PlanObstruction obstruction = PlanObstruction::kNone;
+  /// Where, metres.
   Point at;
 };
 
@@ -119,6 +122,7 @@ class TetherPlanner {
   /// at the socket's exit. Lengths and limits include the stub.
   ClassList TethersTo(const Socket& socket, const Walk& root, Place goal, const ClassOptions& options) const;
 
+  /// The free space with clearance, prepared for taut curves.
   const TautSpace& space() const { return *space_; }
   /// The free mesh without clearance: what a socket's stub may cross.
   const FreeMesh& ungrown() const { return ungrown_ ? ungrown_->mesh : space_->mesh(); }

@@ -10,14 +10,17 @@
 
 namespace tautline {
 
+/// What a check of an answer found.
 struct Verification {
   std::vector<std::string> faults;  ///< What is wrong, one sentence each; empty when the plan holds.
   int curves = 0;                   ///< Taut curves that were checked.
   int samples = 0;                  ///< Places along the motion at which the tether was checked.
 
+  /// Whether nothing is wrong.
   bool ok() const { return faults.empty(); }
 };
 
+/// How thorough the check is.
 struct VerifyOptions {
   int samples = 32;  ///< Evenly spaced along the motion.
 };

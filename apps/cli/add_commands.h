@@ -1,0 +1,18 @@
+// The whole command line of the program: for the program itself, and for what is made from its options.
+#ifndef APPS_CLI_ADD_COMMANDS_H_
+#define APPS_CLI_ADD_COMMANDS_H_
+
+#include <CLI/App.hpp>
+#include <vector>
+
+#include "apps/cli/commands.h"
+
+namespace tautline::cli {
+
+/// Names and describes the program and adds all of its commands to `app`, which is empty. Returns what each command
+/// runs, in the order of `app.get_subcommands({})`.
+std::vector<Run> AddCommands(CLI::App& app);
+
+}  // namespace tautline::cli
+
+#endif  // APPS_CLI_ADD_COMMANDS_H_
