@@ -1,0 +1,156 @@
+// The maps of scenes/maps/cdt2025: preparation, classes, tethered plans; paired with the h-augmented graph.
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "bench/bench_scene.h"
+#include "bench/peers/h_augmented_graph.h"
+#include "bench/program.h"
+#include "bench/stopwatch.h"
+#include "bench/tether_queries.h"
+#include "tautline/base/check.h"
+#include "tautline/homotopy/classes.h"
+#include "tautline/planners/tether/tether_planner.h"
+
+namespace tautline {
+namespace {
+
+constexpr std::uint64_t kSeed = 2025;
+
+struct Sizes {
+  int library_passes = 20;
+  int peer_passes = 2;
+  std::size_t queries = 1000;
+  std::size_t places = 30;
+};
+
+TetherPlanner PlannerOf(const BenchScene& scene) { return TetherPlanner::Prepare(scene.world).value(); }
+
+void Prepare(benchmark::State& state, const std::string& name) {
+  const BenchScene scene = ReadCdt2025(name);
+  for (auto _ : state) benchmark::DoNotOptimize(PlannerOf(scene));
+}
+
+const char* NameOf(Guess guess) {
+  return guess == Guess::kNothing ? "dijkstra" : guess == Guess::kStraight ? "a_star" : "a_star_exact";
+}
+
+struct ClassQuestion {
+  std::string map;
+  std::optional<std::size_t> count;  ///< k shortest; nothing: all within the tether.
+};
+
+/// Classes to each of the map's goals: the mean over the goals, library and peers in turn.
+void Classes(benchmark::State& state, const ClassQuestion& question, const Sizes& sizes) {
+  const BenchScene scene = ReadCdt2025(question.map);
+  const TetherPlanner planner = PlannerOf(scene);
+  const HAugmentedGraph graph(planner.space());
+  ClassOptions options;
+  PeerOptions peer_options;
+  if (question.count) {
+    options.max_count = static_cast<std::int64_t>(*question.count);
+    peer_options.max_count = *question.count;
+  } else {
+    options.max_length = scene.tether.length;
+    peer_options.max_length = scene.tether.length;
+  }
+  const auto base = graph.Connect(scene.tether.base);
+  std::vector<HAugmentedGraph::Terminal> goals;
+  for (const Point goal : scene.goals) goals.push_back(graph.Connect(goal));
+  std::size_t classes = 0;
+  const auto ask = [&](std::size_t i) {
+    const ClassList list = FindClasses(planner.space(), scene.tether.base, scene.goals[i], options);
+    classes += list.classes.size();
+  };
+  for (auto _ : state) {
+    const Summary library = Summarize(SecondsOfEach(goals.size(), sizes.library_passes, ask));
+    state.SetIterationTime(library.mean);
+    state.counters["classes"] =
+        static_cast<double>(classes) / static_cast<double>(goals.size()) / sizes.library_passes;
+    state.counters["worst"] = library.worst;
+    for (const Guess guess : {Guess::kNothing, Guess::kStraight, Guess::kExact}) {
+      peer_options.guess = guess;
+      bool gave_up = false;
+      std::size_t states = 0;
+      const auto ask_peer = [&](std::size_t i) {
+        const PeerClassList list = graph.FindClasses(base, goals[i], peer_options);
+        gave_up = gave_up || list.gave_up;
+        states += list.states;
+      };
+      const Summary peer = Summarize(SecondsOfEach(goals.size(), sizes.peer_passes, ask_peer));
+      const std::string prefix = std::string("h_augmented_") + NameOf(guess);
+      state.counters[prefix] = peer.mean;
+      state.counters[prefix + "_states"] =
+          static_cast<double>(states) / static_cast<double>(goals.size()) / sizes.peer_passes;
+      state.counters[prefix + "_gave_up"] = gave_up;
+    }
+  }
+}
+
+void PlanQueries(benchmark::State& state, const std::string& name, const Sizes& sizes) {
+  const BenchScene scene = ReadCdt2025(name);
+  const TetherPlanner planner = PlannerOf(scene);
+  const HAugmentedGraph graph(planner.space());
+  Rng rng(kSeed);
+  const auto queries = RandomTetherQueries(
+      rng, planner.space(),
+      {.base = scene.tether.base, .length = scene.tether.length, .places = sizes.places, .count = sizes.queries});
+  std::size_t bound = 0;
+  const auto ask = [&](std::size_t i) {
+    const PlanResult result = planner.Plan(queries[i].tether, queries[i].goal);
+    TAUTLINE_CHECK(result.motion);
+    if (result.rejected) ++bound;
+  };
+  // The peer's cover of one base, one length and one goal serves many robots; it is timed apart.
+  const std::size_t asked = std::min<std::size_t>(queries.size(), 200);
+  std::vector<double> cover_seconds, search_seconds, total_seconds;
+  bool gave_up = false;
+  const auto ask_peer = [&](std::size_t i) {
+    const TetherQuery& query = queries[i];
+    const auto base = graph.Connect(query.tether.base), goal = graph.Connect(query.goal);
+    const HAugmentedGraph::Start start{graph.Connect(query.tether.laid->back()),
+                                       planner.space().rays().WordOf(*query.tether.laid)};
+    std::optional<HAugmentedGraph::Cover> cover;
+    PeerMotion motion;
+    cover_seconds.push_back(
+        SecondsOf([&] { cover = graph.MakeCover(base, goal, {.max_length = query.tether.length}); }));
+    search_seconds.push_back(SecondsOf([&] { motion = graph.Plan(*cover, start, {}); }));
+    total_seconds.push_back(cover_seconds.back() + search_seconds.back());
+    gave_up = gave_up || cover->gave_up || motion.gave_up;
+  };
+  for (auto _ : state) {
+    const Summary library = Summarize(SecondsOfEach(queries.size(), sizes.library_passes / 4 + 1, ask));
+    state.SetIterationTime(library.median);
+    state.counters["p99"] = library.p99;
+    state.counters["worst"] = library.worst;
+    state.counters["queries"] = static_cast<double>(queries.size());
+    state.counters["binding"] =
+        static_cast<double>(bound) / static_cast<double>(queries.size()) / (sizes.library_passes / 4 + 1);
+    for (std::size_t i = 0; i < asked; ++i) ask_peer(i);
+    state.counters["h_augmented"] = Summarize(total_seconds).median;
+    state.counters["h_augmented_cover"] = Summarize(cover_seconds).median;
+    state.counters["h_augmented_search"] = Summarize(search_seconds).median;
+    state.counters["h_augmented_gave_up"] = gave_up;
+  }
+}
+
+}  // namespace
+
+void RegisterBenchmarks(bool tiny) {
+  const Sizes sizes = tiny ? Sizes{1, 1, 4, 2} : Sizes{};
+  for (const std::string name : {"maze", "mess"}) {
+    benchmark::RegisterBenchmark((name + "/prepare").c_str(), Prepare, name)->Unit(benchmark::kMillisecond);
+    const auto once = [](auto* registered) {
+      registered->Iterations(1)->UseManualTime()->Unit(benchmark::kMicrosecond);
+    };
+    once(benchmark::RegisterBenchmark((name + "/classes_up_to_length").c_str(), Classes, ClassQuestion{name, {}},
+                                      sizes));
+    for (const std::size_t k : {std::size_t{5}, std::size_t{50}}) {
+      once(benchmark::RegisterBenchmark((name + "/shortest_classes/" + std::to_string(k)).c_str(), Classes,
+                                        ClassQuestion{name, k}, sizes));
+    }
+    once(benchmark::RegisterBenchmark((name + "/plan").c_str(), PlanQueries, name, sizes));
+  }
+}
+
+}  // namespace tautline
