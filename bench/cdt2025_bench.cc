@@ -44,7 +44,7 @@ struct ClassQuestion {
 void Classes(benchmark::State& state, const ClassQuestion& question, const Sizes& sizes) {
   const BenchScene scene = ReadCdt2025(question.map);
   const TetherPlanner planner = PlannerOf(scene);
-  const HAugmentedGraph graph(planner.space());
+  const HAugmentedGraph graph(planner.space(), SightLines::kAll);
   ClassOptions options;
   PeerOptions peer_options;
   if (question.count) {
@@ -90,7 +90,7 @@ void Classes(benchmark::State& state, const ClassQuestion& question, const Sizes
 void PlanQueries(benchmark::State& state, const std::string& name, const Sizes& sizes) {
   const BenchScene scene = ReadCdt2025(name);
   const TetherPlanner planner = PlannerOf(scene);
-  const HAugmentedGraph graph(planner.space());
+  const HAugmentedGraph graph(planner.space(), SightLines::kAll);
   Rng rng(kSeed);
   const auto queries = RandomTetherQueries(
       rng, planner.space(),

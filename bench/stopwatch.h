@@ -2,19 +2,27 @@
 #ifndef TAUTLINE_BENCH_STOPWATCH_H_
 #define TAUTLINE_BENCH_STOPWATCH_H_
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
 namespace tautline {
 
-/// The seconds that one call of `work` takes.
+/// The processor time of this thread so far, seconds: what other programs do meanwhile does not count.
+inline double ThreadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// The processor seconds that one call of `work` takes. Reading the clock costs less than half a microsecond.
 template <class Work>
 double SecondsOf(Work work) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = ThreadSeconds();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return ThreadSeconds() - start;
 }
 
 /// What many measurements amount to; zeros when there are none.

@@ -86,11 +86,51 @@ std::vector<std::int32_t> ArcsByCorner(const HAugmentedGraph::Terminal& terminal
 
 }  // namespace
 
-HAugmentedGraph::HAugmentedGraph(const TautSpace& space) : space_(&space), arcs_(space.corners().size()) {
-  for (const TautEdge& edge : space.graph().edges()) {
-    const Point a = space.corners()[edge.from].point, b = space.corners()[edge.to].point;
+HAugmentedGraph::HAugmentedGraph(const TautSpace& space, SightLines lines) : space_(&space), lines_(lines) {
+  if (lines == SightLines::kAll) {
+    for (const FreeComponent& component : space.free_space().components) {
+      nodes_.insert(nodes_.end(), component.outer.points.begin(), component.outer.points.end());
+      for (const BoundaryRing& hole : component.holes) {
+        nodes_.insert(nodes_.end(), hole.points.begin(), hole.points.end());
+      }
+    }
+  } else {
+    for (const Corner& corner : space.corners().all()) nodes_.push_back(corner.point);
+  }
+  arcs_.resize(nodes_.size());
+  if (lines == SightLines::kAll) AddAll();
+  if (lines == SightLines::kTangent) AddTangents();
+  if (lines == SightLines::kBitangents) AddBitangents();
+}
+
+void HAugmentedGraph::AddAll() {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    for (const Arc& arc : Connect(nodes_[i]).arcs) {
+      if (static_cast<std::size_t>(arc.to) != i) arcs_[i].push_back(arc);
+    }
+  }
+}
+
+void HAugmentedGraph::AddTangents() {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Corner& corner = space_->corners()[CornerId(static_cast<std::int32_t>(i))];
+    for (const Sighting& seen : SeeFromPoint(space_->mesh(), space_->corners(), {corner.point, corner.first})) {
+      const auto j = seen.corner.index();
+      if (j == i) continue;
+      const Point from = corner.point, to = nodes_[j];
+      arcs_[i].push_back({static_cast<std::int32_t>(j), Distance(from, to), LettersBetween(*space_, from, to)});
+      // A line that is tangent at both ends is seen from both.
+      if (corner.TangentFrom(to) != Side::kNone) continue;
+      arcs_[j].push_back({static_cast<std::int32_t>(i), Distance(from, to), LettersBetween(*space_, to, from)});
+    }
+  }
+}
+
+void HAugmentedGraph::AddBitangents() {
+  for (const TautEdge& edge : space_->graph().edges()) {
+    const Point a = space_->corners()[edge.from].point, b = space_->corners()[edge.to].point;
     arcs_[edge.from.index()].push_back(
-        {static_cast<std::int32_t>(edge.to.index()), Distance(a, b), LettersBetween(space, a, b)});
+        {static_cast<std::int32_t>(edge.to.index()), Distance(a, b), LettersBetween(*space_, a, b)});
   }
 }
 
@@ -98,10 +138,17 @@ HAugmentedGraph::Terminal HAugmentedGraph::Connect(Point p) const {
   const auto place = space_->Locate(p);
   TAUTLINE_CHECK(place);
   Terminal terminal{*place, {}};
-  for (const Sighting& seen : SeeFromPoint(space_->mesh(), space_->corners(), *place)) {
-    const Point corner = space_->corners()[seen.corner].point;
-    terminal.arcs.push_back({static_cast<std::int32_t>(seen.corner.index()), Distance(place->point, corner),
-                             LettersBetween(*space_, place->point, corner)});
+  const auto add = [&](std::size_t node) {
+    terminal.arcs.push_back({static_cast<std::int32_t>(node), Distance(place->point, nodes_[node]),
+                             LettersBetween(*space_, place->point, nodes_[node])});
+  };
+  if (lines_ == SightLines::kAll) {
+    for (std::size_t node = 0; node < nodes_.size(); ++node) {
+      Walk walk(*place);
+      if (!WalkStraight(space_->mesh(), nodes_[node], walk)) add(node);
+    }
+  } else {
+    for (const Sighting& seen : SeeFromPoint(space_->mesh(), space_->corners(), *place)) add(seen.corner.index());
   }
   return terminal;
 }
@@ -152,7 +199,7 @@ PeerClassList HAugmentedGraph::FindClasses(const Terminal& from, const Terminal&
   const auto corners = static_cast<std::int32_t>(arcs_.size());
   const Point goal = to.place.point;
   const auto point = [&](std::int32_t node) {
-    return node < corners ? space_->corners()[CornerId(node)].point : node == corners ? from.place.point : goal;
+    return node < corners ? nodes_[static_cast<std::size_t>(node)] : node == corners ? from.place.point : goal;
   };
   std::vector<double> distance;
   if (options.guess == Guess::kExact) distance = PlainDistances(to);
@@ -212,7 +259,7 @@ PeerMotion HAugmentedGraph::Plan(Cover& cover, const Start& start, const PeerOpt
   const Point goal = cover.goal.place.point;
   const auto rest = [&](std::int32_t node) {
     if (node > corners) return 0.0;
-    return Distance(node < corners ? space_->corners()[CornerId(node)].point : start.robot.place.point, goal);
+    return Distance(node < corners ? nodes_[static_cast<std::size_t>(node)] : start.robot.place.point, goal);
   };
   // The robot's own node is in no cover; that the laid cable fits is given.
   const auto allowed = [&](std::int32_t node, std::int32_t word) {

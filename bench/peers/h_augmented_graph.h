@@ -45,9 +45,14 @@ struct PeerMotion {
   bool gave_up = false;
 };
 
-/// The visibility graph with the letters that each edge writes; built once, and not counted in questions. Nodes are
-/// the reflex corners, edges the bitangents: the shortest-path roadmap [LaValle2006, Sec. 6.2.4], which holds the
-/// shortest path of each class and is much smaller than the graph of all vertices.
+/// Which lines of sight are edges of the graph. The shortest path of each class is in all of them.
+enum class SightLines {
+  kAll,         ///< Between all boundary vertices: the visibility graph of [Wang2018, Sec. II-D].
+  kTangent,     ///< Between reflex corners, tangent at one end at least: all that tethered motions need.
+  kBitangents,  ///< Between reflex corners, tangent at both: the shortest-path roadmap. For FindClasses only.
+};
+
+/// The visibility graph with the letters that each edge writes; built once, and not counted in questions.
 class HAugmentedGraph {
  public:
   struct Arc {
@@ -56,10 +61,10 @@ class HAugmentedGraph {
     std::vector<std::int32_t> letters;  ///< As WordTrie has them.
   };
 
-  /// A point of a question, with the edges to all corners that it sees.
+  /// A point of a question, with the edges to all nodes that it sees.
   struct Terminal {
     Place place;
-    std::vector<Arc> arcs;
+    std::vector<Arc> arcs;  ///< `to` is the node that it sees.
   };
 
   /// The tethers of one length from one base: all states within it.
@@ -78,7 +83,8 @@ class HAugmentedGraph {
     Word laid;
   };
 
-  explicit HAugmentedGraph(const TautSpace& space);
+  /// O(n^2) lines of sight with kAll for n boundary vertices. Requires that no boundaries touch.
+  HAugmentedGraph(const TautSpace& space, SightLines lines);
 
   /// Connects a point to the graph; not counted in questions either. Requires a point in the free space.
   Terminal Connect(Point p) const;
@@ -97,12 +103,17 @@ class HAugmentedGraph {
  private:
   struct Search;
 
+  void AddAll();
+  void AddTangents();
+  void AddBitangents();
   std::optional<Arc> Direct(const Terminal& from, const Terminal& to, std::int32_t node) const;
   std::vector<double> PlainDistances(const Terminal& to) const;
   void Expand(Search& search, std::int32_t id) const;
 
   const TautSpace* space_;
-  std::vector<std::vector<Arc>> arcs_;  ///< By corner.
+  SightLines lines_;
+  std::vector<Point> nodes_;            ///< Corners, by CornerId, or all vertices.
+  std::vector<std::vector<Arc>> arcs_;  ///< By node.
 };
 
 }  // namespace tautline
