@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bench/bench_scene.h"
+#include "bench/peers/grid_cover.h"
 #include "bench/peers/h_augmented_graph.h"
 #include "bench/program.h"
 #include "bench/stopwatch.h"
@@ -22,6 +23,8 @@ struct Sizes {
   int peer_passes = 2;
   std::size_t queries = 1000;
   std::size_t places = 30;
+  std::size_t graph_queries = 200;
+  std::size_t grid_queries = 10;
 };
 
 TetherPlanner PlannerOf(const BenchScene& scene) { return TetherPlanner::Prepare(scene.world).value(); }
@@ -65,8 +68,7 @@ void Classes(benchmark::State& state, const ClassQuestion& question, const Sizes
   for (auto _ : state) {
     const Summary library = Summarize(SecondsOfEach(goals.size(), sizes.library_passes, ask));
     state.SetIterationTime(library.mean);
-    state.counters["classes"] =
-        static_cast<double>(classes) / static_cast<double>(goals.size()) / sizes.library_passes;
+    state.counters["classes"] = static_cast<double>(classes) / static_cast<double>(goals.size()) / sizes.library_passes;
     state.counters["worst"] = library.worst;
     for (const Guess guess : {Guess::kNothing, Guess::kStraight, Guess::kExact}) {
       peer_options.guess = guess;
@@ -87,57 +89,97 @@ void Classes(benchmark::State& state, const ClassQuestion& question, const Sizes
   }
 }
 
+/// The times of a peer that first finds all tethers of a base, and then a motion among them.
+struct PeerTimes {
+  std::vector<double> tethers, search, total;
+  std::size_t states = 0;
+  bool gave_up = false;
+
+  void Add(double tethers_seconds, double search_seconds) {
+    tethers.push_back(tethers_seconds);
+    search.push_back(search_seconds);
+    total.push_back(tethers_seconds + search_seconds);
+  }
+
+  void Report(benchmark::State& state, const std::string& name) const {
+    state.counters[name] = Summarize(total).median;
+    state.counters[name + "_tethers"] = Summarize(tethers).median;
+    state.counters[name + "_search"] = Summarize(search).median;
+    state.counters[name + "_states"] = static_cast<double>(states) / static_cast<double>(total.size());
+    state.counters[name + "_gave_up"] = gave_up;
+  }
+};
+
+void AskGraph(const HAugmentedGraph& graph, const Rays& rays, const TetherQuery& query, PeerTimes& times) {
+  const auto base = graph.Connect(query.tether.base), goal = graph.Connect(query.goal);
+  const HAugmentedGraph::Start start{graph.Connect(query.tether.laid->back()), rays.WordOf(*query.tether.laid)};
+  std::optional<HAugmentedGraph::Cover> cover;
+  PeerMotion motion;
+  const double first = SecondsOf([&] { cover = graph.MakeCover(base, goal, {.max_length = query.tether.length}); });
+  times.Add(first, SecondsOf([&] { motion = graph.Plan(*cover, start, {}); }));
+  times.states += cover->states.size() + motion.states;
+  times.gave_up = times.gave_up || cover->gave_up || motion.gave_up;
+}
+
+/// Nothing where one of the points lies in a blocked cell. The tether is given the 8 % that a grid needs.
+void AskGrid(const GridCover& grid, const Rays& rays, const TetherQuery& query, PeerTimes& times) {
+  const auto base = grid.CentreAt(query.tether.base), robot = grid.CentreAt(query.tether.laid->back()),
+             goal = grid.CentreAt(query.goal);
+  if (!base || !robot || !goal) return;
+  Polyline laid{*base};
+  laid.insert(laid.end(), query.tether.laid->begin(), query.tether.laid->end());
+  laid.push_back(*robot);
+  std::optional<GridCover::Tethers> tethers;
+  GridCover::Motion motion;
+  const double first =
+      SecondsOf([&] { tethers = grid.MakeTethers(*base, {.max_length = 1.0824 * query.tether.length}); });
+  times.Add(first, SecondsOf([&] { motion = grid.Plan(*tethers, {*robot, rays.WordOf(laid), *goal}, {}); }));
+  times.states += tethers->states.size() + motion.states;
+  times.gave_up = times.gave_up || tethers->gave_up || motion.gave_up;
+}
+
+/// Tethered plans for random robots, cables and goals; then the peers on the first of the same questions.
 void PlanQueries(benchmark::State& state, const std::string& name, const Sizes& sizes) {
   const BenchScene scene = ReadCdt2025(name);
   const TetherPlanner planner = PlannerOf(scene);
+  const Rays& rays = planner.space().rays();
   const HAugmentedGraph graph(planner.space(), SightLines::kAll);
+  const Point size = planner.space().free_space().box.size();
+  const GridCover grid(planner.space(), std::max(size.x, size.y) / 250);
   Rng rng(kSeed);
   const auto queries = RandomTetherQueries(
       rng, planner.space(),
       {.base = scene.tether.base, .length = scene.tether.length, .places = sizes.places, .count = sizes.queries});
+  const int passes = sizes.library_passes / 4 + 1;
   std::size_t bound = 0;
   const auto ask = [&](std::size_t i) {
     const PlanResult result = planner.Plan(queries[i].tether, queries[i].goal);
     TAUTLINE_CHECK(result.motion);
     if (result.rejected) ++bound;
   };
-  // The peer's cover of one base, one length and one goal serves many robots; it is timed apart.
-  const std::size_t asked = std::min<std::size_t>(queries.size(), 200);
-  std::vector<double> cover_seconds, search_seconds, total_seconds;
-  bool gave_up = false;
-  const auto ask_peer = [&](std::size_t i) {
-    const TetherQuery& query = queries[i];
-    const auto base = graph.Connect(query.tether.base), goal = graph.Connect(query.goal);
-    const HAugmentedGraph::Start start{graph.Connect(query.tether.laid->back()),
-                                       planner.space().rays().WordOf(*query.tether.laid)};
-    std::optional<HAugmentedGraph::Cover> cover;
-    PeerMotion motion;
-    cover_seconds.push_back(
-        SecondsOf([&] { cover = graph.MakeCover(base, goal, {.max_length = query.tether.length}); }));
-    search_seconds.push_back(SecondsOf([&] { motion = graph.Plan(*cover, start, {}); }));
-    total_seconds.push_back(cover_seconds.back() + search_seconds.back());
-    gave_up = gave_up || cover->gave_up || motion.gave_up;
-  };
   for (auto _ : state) {
-    const Summary library = Summarize(SecondsOfEach(queries.size(), sizes.library_passes / 4 + 1, ask));
+    PeerTimes graph_times, grid_times;
+    for (std::size_t i = 0; i < std::min(queries.size(), sizes.graph_queries); ++i) {
+      AskGraph(graph, rays, queries[i], graph_times);
+    }
+    const Summary library = Summarize(SecondsOfEach(queries.size(), passes, ask));
+    for (std::size_t i = 0; i < std::min(queries.size(), sizes.grid_queries); ++i) {
+      AskGrid(grid, rays, queries[i], grid_times);
+    }
     state.SetIterationTime(library.median);
     state.counters["p99"] = library.p99;
     state.counters["worst"] = library.worst;
     state.counters["queries"] = static_cast<double>(queries.size());
-    state.counters["binding"] =
-        static_cast<double>(bound) / static_cast<double>(queries.size()) / (sizes.library_passes / 4 + 1);
-    for (std::size_t i = 0; i < asked; ++i) ask_peer(i);
-    state.counters["h_augmented"] = Summarize(total_seconds).median;
-    state.counters["h_augmented_cover"] = Summarize(cover_seconds).median;
-    state.counters["h_augmented_search"] = Summarize(search_seconds).median;
-    state.counters["h_augmented_gave_up"] = gave_up;
+    state.counters["binding"] = static_cast<double>(bound) / static_cast<double>(queries.size()) / passes;
+    graph_times.Report(state, "h_augmented");
+    grid_times.Report(state, "grid");
   }
 }
 
 }  // namespace
 
 void RegisterBenchmarks(bool tiny) {
-  const Sizes sizes = tiny ? Sizes{1, 1, 4, 2} : Sizes{};
+  const Sizes sizes = tiny ? Sizes{1, 1, 4, 2, 2, 1} : Sizes{};
   for (const std::string name : {"maze", "mess"}) {
     benchmark::RegisterBenchmark((name + "/prepare").c_str(), Prepare, name)->Unit(benchmark::kMillisecond);
     const auto once = [](auto* registered) {

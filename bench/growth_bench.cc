@@ -70,10 +70,9 @@ void PlanByTether(benchmark::State& state, const Sizes& sizes) {
       if (first == last) continue;
       const std::string prefix = "group" + std::to_string(group);
       state.counters[prefix + "_tether"] = queries[(first + last) / 2].tether.length;
-      state.counters[prefix + "_median"] =
-          Summarize({seconds.begin() + static_cast<std::ptrdiff_t>(first),
-                     seconds.begin() + static_cast<std::ptrdiff_t>(last)})
-              .median;
+      state.counters[prefix + "_median"] = Summarize({seconds.begin() + static_cast<std::ptrdiff_t>(first),
+                                                      seconds.begin() + static_cast<std::ptrdiff_t>(last)})
+                                               .median;
     }
   }
 }

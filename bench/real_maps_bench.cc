@@ -1,9 +1,11 @@
 // Real maps with a clearance: preparation, and questions whose tether binds.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <string>
 
 #include "bench/bench_scene.h"
+#include "bench/peers/h_augmented_graph.h"
 #include "bench/program.h"
 #include "bench/stopwatch.h"
 #include "bench/tether_queries.h"
@@ -24,6 +26,11 @@ struct Map {
 struct Sizes {
   int passes = 3;
   BindingQueryOptions queries;
+};
+
+struct PeerSizes {
+  BindingQueryOptions queries{.places = 8, .count = 5};
+  std::size_t max_states = 4'000'000;
 };
 
 void Prepare(benchmark::State& state, const Map& map) {
@@ -60,16 +67,52 @@ void PlanQueries(benchmark::State& state, const Map& map, const Sizes& sizes) {
   }
 }
 
+/// A few of the same questions put to the peers, within a budget of states: where they give up, their time is a lower
+/// bound. `gave_up` counts those questions.
+void PlanWithPeers(benchmark::State& state, const Map& map, const PeerSizes& sizes) {
+  const TetherPlanner planner = TetherPlanner::Prepare(ReadMap(map.path, kClearance).world).value();
+  const TautSpace& space = planner.space();
+  Rng rng(kSeed);
+  const auto queries = BindingTetherQueries(rng, space, sizes.queries);
+  const HAugmentedGraph graph(space, SightLines::kTangent);
+  for (auto _ : state) {
+    std::vector<double> library, peer;
+    std::size_t gave_up = 0, states = 0;
+    for (const TetherQuery& query : queries) {
+      library.push_back(SecondsOf([&] { benchmark::DoNotOptimize(planner.Plan(query.tether, query.goal)); }));
+      const auto base = graph.Connect(query.tether.base), goal = graph.Connect(query.goal);
+      const HAugmentedGraph::Start start{graph.Connect(query.tether.laid->back()),
+                                         space.rays().WordOf(*query.tether.laid)};
+      peer.push_back(SecondsOf([&] {
+        auto cover = graph.MakeCover(base, goal, {.max_length = query.tether.length, .max_states = sizes.max_states});
+        states += cover.states.size();
+        if (cover.gave_up || graph.Plan(cover, start, {.max_states = sizes.max_states}).gave_up) ++gave_up;
+      }));
+    }
+    state.SetIterationTime(Summarize(library).median);
+    state.counters["queries"] = static_cast<double>(queries.size());
+    state.counters["h_augmented"] = Summarize(peer).median;
+    state.counters["h_augmented_gave_up"] = static_cast<double>(gave_up);
+    state.counters["h_augmented_states"] = static_cast<double>(states) / static_cast<double>(queries.size());
+  }
+}
+
 }  // namespace
 
 void RegisterBenchmarks(bool tiny) {
   Sizes sizes;
+  PeerSizes peer_sizes;
+  if (tiny) peer_sizes = {{.places = 4, .count = 1}, 1000};
   if (tiny) sizes = {1, {.places = 4, .count = 1}};
   const std::string ros = "scenes/maps/ros/";
   for (const Map& map : {Map{"willow", ros + "willow-2010-02-18-0.10.yaml"}, Map{"intel", ros + "intel-lab.yaml"},
                          Map{"depot", ros + "depot.yaml"}}) {
     benchmark::RegisterBenchmark((map.name + "/prepare").c_str(), Prepare, map)->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark((map.name + "/plan").c_str(), PlanQueries, map, sizes)
+        ->Iterations(1)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((map.name + "/plan_with_peer").c_str(), PlanWithPeers, map, peer_sizes)
         ->Iterations(1)
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond);

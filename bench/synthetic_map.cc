@@ -17,8 +17,8 @@ Ring JaggedStar(Rng& rng, Point centre, double radius, std::size_t count) {
   Ring ring;
   for (std::size_t i = 0; i < count; ++i) {
     // Less than half a turn apart, so that the ring winds around its centre even when it is a triangle.
-    const double angle = (static_cast<double>(i) + rng.Uniform(0, 0.45)) / static_cast<double>(count) * 2 *
-                         std::numbers::pi;
+    const double angle =
+        (static_cast<double>(i) + rng.Uniform(0, 0.45)) / static_cast<double>(count) * 2 * std::numbers::pi;
     ring.push_back(centre + radius * rng.Uniform(0.4, 1) * Point{std::cos(angle), std::sin(angle)});
   }
   return ring;

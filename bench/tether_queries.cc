@@ -58,8 +58,8 @@ std::vector<TetherQuery> RandomTetherQueries(Rng& rng, const TautSpace& space, c
   std::vector<TetherQuery> queries;
   while (queries.size() < options.count) {
     const auto& cable = cables[Draw(rng, cables.size())];
-    queries.push_back({{options.base, options.length, cable[Draw(rng, cable.size())].points},
-                       goals[Draw(rng, goals.size())]});
+    queries.push_back(
+        {{options.base, options.length, cable[Draw(rng, cable.size())].points}, goals[Draw(rng, goals.size())]});
   }
   return queries;
 }

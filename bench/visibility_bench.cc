@@ -14,8 +14,7 @@ namespace tautline {
 namespace {
 
 void BuildGraph(benchmark::State& state, std::size_t vertices) {
-  const FreeSpace space =
-      BuildFreeSpace(SyntheticMap({.vertices = vertices, .obstacles = vertices / 20})).value();
+  const FreeSpace space = BuildFreeSpace(SyntheticMap({.vertices = vertices, .obstacles = vertices / 20})).value();
   const FreeMesh mesh(space);
   const Corners corners(space, mesh);
   std::vector<double> seconds;

@@ -209,11 +209,15 @@ PeerClassList HAugmentedGraph::FindClasses(const Terminal& from, const Terminal&
   };
   StateTable states;
   WordTrie words;
-  Search search{from,   ArcsByCorner(to, arcs_.size()),
-                to,     Direct(from, to, corners + 1),
-                rest,   [](std::int32_t, std::int32_t) { return true; },
+  Search search{from,
+                ArcsByCorner(to, arcs_.size()),
+                to,
+                Direct(from, to, corners + 1),
+                rest,
+                [](std::int32_t, std::int32_t) { return true; },
                 options.max_length,
-                states, words,
+                states,
+                words,
                 {}};
   PeerClassList list;
   search.Offer(search.start_node(), 0, 0, -1);

@@ -57,7 +57,7 @@ class HAugmentedGraph {
  public:
   struct Arc {
     std::int32_t to = 0;
-    double length = 0;                 ///< Metres.
+    double length = 0;                  ///< Metres.
     std::vector<std::int32_t> letters;  ///< As WordTrie has them.
   };
 

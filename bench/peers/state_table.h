@@ -41,8 +41,8 @@ class StateTable {
 
  private:
   std::size_t SlotOf(std::int32_t node, std::int32_t word) const {
-    std::uint64_t hash = static_cast<std::uint64_t>(static_cast<std::uint32_t>(node)) << 32 |
-                         static_cast<std::uint32_t>(word);
+    std::uint64_t hash =
+        static_cast<std::uint64_t>(static_cast<std::uint32_t>(node)) << 32 | static_cast<std::uint32_t>(word);
     hash = (hash ^ (hash >> 31)) * 0x9e3779b97f4a7c15ULL;
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t slot = (hash ^ (hash >> 29)) & mask;; slot = (slot + 1) & mask) {
