@@ -22,6 +22,7 @@ constexpr std::uint64_t kSeed = 5;
 struct Sizes {
   SyntheticMapOptions map;
   BindingQueryOptions queries;
+  int passes = 1;
 };
 
 /// Preparation once, with its memory, and the median of questions whose tether binds.
@@ -42,7 +43,7 @@ void PrepareAndPlan(benchmark::State& state, const Sizes& sizes) {
     Rng rng(kSeed);
     const auto queries = BindingTetherQueries(rng, planner->space(), sizes.queries);
     std::size_t out_of_budget = 0;
-    const Summary plan = Summarize(SecondsOfEach(queries.size(), 2, [&](std::size_t i) {
+    const Summary plan = Summarize(SecondsOfEach(queries.size(), sizes.passes, [&](std::size_t i) {
       if (planner->Plan(queries[i].tether, queries[i].goal).status != PlanStatus::kSolved) ++out_of_budget;
     }));
     state.counters["plan"] = plan.median;
@@ -61,7 +62,7 @@ void PlanByTether(benchmark::State& state, const Sizes& sizes) {
   std::sort(queries.begin(), queries.end(),
             [](const TetherQuery& a, const TetherQuery& b) { return a.tether.length < b.tether.length; });
   for (auto _ : state) {
-    const auto seconds = SecondsOfEach(queries.size(), 2, [&](std::size_t i) {
+    const auto seconds = SecondsOfEach(queries.size(), sizes.passes, [&](std::size_t i) {
       benchmark::DoNotOptimize(planner.Plan(queries[i].tether, queries[i].goal));
     });
     state.SetIterationTime(Summarize(seconds).median);
@@ -108,8 +109,10 @@ void RegisterBenchmarks(bool tiny) {
     registered->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
   };
   const auto sized = [tiny](std::size_t vertices, std::size_t obstacles) {
+    // The larger the map, the fewer questions, so that all sizes take about as long.
+    const std::size_t count = std::clamp<std::size_t>(500'000 / vertices, 20, 100);
     return tiny ? Sizes{{.vertices = 100, .obstacles = 5}, {.places = 4, .count = 1}}
-                : Sizes{{.vertices = vertices, .obstacles = obstacles}, {.places = 10, .count = 100}};
+                : Sizes{{.vertices = vertices, .obstacles = obstacles}, {.places = 8, .count = count}};
   };
   for (const std::size_t vertices : {1'000, 3'000, 10'000, 30'000, 100'000}) {
     once(benchmark::RegisterBenchmark(("growth/vertices/" + std::to_string(vertices)).c_str(), PrepareAndPlan,
@@ -120,7 +123,8 @@ void RegisterBenchmarks(bool tiny) {
                                       sized(20'000, obstacles)));
   }
   Sizes by_tether = sized(10'000, 500);
-  if (!tiny) by_tether.queries = {.places = 30, .count = 800};
+  by_tether.queries =
+      tiny ? BindingQueryOptions{.places = 8, .count = 8} : BindingQueryOptions{.places = 24, .count = 400};
   once(benchmark::RegisterBenchmark("growth/tether/plan", PlanByTether, by_tether));
   for (const int length : {2000, 3000, 4000, 5000, 6000, 7000, 8000}) {
     once(benchmark::RegisterBenchmark(("growth/tether/classes/" + std::to_string(length)).c_str(), ClassesByTether,
