@@ -85,10 +85,10 @@ def classes(results):
             strongest = min(results.value(bench, f"h_augmented_{guess}") for guess in
                             ("dijkstra", "a_star", "a_star_exact"))
             rows.append([f"{title}: {text}", digits(results.value(bench, "classes")), seconds(own),
-                         peer_time(results, bench, "h_augmented_dijkstra"),
+                         seconds(results.value(bench, "h_augmented_dijkstra")),
                          times(results.value(bench, "h_augmented_dijkstra") / own),
-                         peer_time(results, bench, "h_augmented_a_star"),
-                         peer_time(results, bench, "h_augmented_a_star_exact"), times(strongest / own)])
+                         seconds(results.value(bench, "h_augmented_a_star")),
+                         seconds(results.value(bench, "h_augmented_a_star_exact")), times(strongest / own)])
     head = ["question", "classes", "tautline", "peer: Dijkstra", "ratio", "peer: A*, straight line",
             "peer: A*, exact rest", "ratio to the best"]
     return table(head, rows)
@@ -101,7 +101,8 @@ def plans(results):
         own = results.time(bench)
         v = lambda counter: results.value(bench, counter)
         rows.append([title, seconds(results.time(f"{name}/prepare")), seconds(own), seconds(v("p99")),
-                     seconds(v("worst")), peer_time(results, bench, "h_augmented"), times(v("h_augmented") / own),
+                     seconds(v("worst")), peer_time(results, bench, "h_augmented"),
+                     times(v("h_augmented") / v("same_questions")),
                      seconds(v("h_augmented_search")), peer_time(results, bench, "grid"), seconds(v("grid_search"))])
     head = ["map", "preparation", "plan: median", "p99", "worst", "h-augmented peer", "ratio", "of that, search",
             "grid peer", "of that, search"]

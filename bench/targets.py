@@ -32,8 +32,9 @@ def time_of(name):
 
 def peer_ratio(name):
     """How many times the library's time the textbook peer takes on the same questions."""
-    counter = "h_augmented" if name.endswith("/plan") else "h_augmented_dijkstra"
-    return lambda results: results.value(name, counter) / results.time(name)
+    if name.endswith("/plan"):
+        return lambda results: results.value(name, "h_augmented") / results.value(name, "same_questions")
+    return lambda results: results.value(name, "h_augmented_dijkstra") / results.time(name)
 
 
 def all_targets():
