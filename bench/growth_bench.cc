@@ -93,6 +93,10 @@ void ClassesByTether(benchmark::State& state, double length) {
     });
     state.SetIterationTime(library[0]);
     state.counters["length"] = length;
+    list = {};
+    const std::size_t before = AllocatedBytes();
+    list = FindClasses(space, scene.tether.base, scene.goals[0], {.max_length = length, .max_count = {}});
+    state.counters["kept_bytes"] = static_cast<double>(AllocatedBytes() - before);
     state.counters["classes"] = static_cast<double>(list.classes.size());
     state.counters["h_augmented"] = SecondsOfEach(1, 2, [&](std::size_t) {
       peer = graph.FindClasses(base, goal, {.max_length = length, .max_states = 4'000'000});

@@ -65,8 +65,8 @@ def count(value):
     return f"{value:,.0f}"
 
 
-def mebibytes(value):
-    return f"{digits(value / 2 ** 20)} MiB"
+def binary_bytes(value):
+    return f"{digits(value / 2 ** 20)} MiB" if value >= 2 ** 17 else f"{digits(value / 2 ** 10)} KiB"
 
 
 def times(value):
