@@ -66,6 +66,12 @@ fuzz: packages-ci  ## run each fuzz target for FUZZ_SECONDS, FUZZ_JOBS at a time
 	$(BUILD) fuzz --target fuzzers
 	tools/run_fuzzers.sh build/fuzz/fuzz $(FUZZ_SECONDS) $(FUZZ_JOBS)
 
+.PHONY: bench
+bench: packages-bench  ## run the benchmarks (FILTER=REGEX: some of them) and write docs/performance.md
+	cmake --preset release -DTAUTLINE_BUILD_BENCH=ON
+	$(BUILD) release --target bench
+	bench/run.sh build/release '$(FILTER)'
+
 .PHONY: install
 install: packages-demo  ## install the program and the library to PREFIX
 	cmake --preset release -DTAUTLINE_BUILD_TESTS=OFF
@@ -91,6 +97,6 @@ release-with-tests: packages-test
 	cmake --preset release
 	$(BUILD) release
 
-.PHONY: packages-demo packages-test packages-ci packages-package packages-wasm
-packages-demo packages-test packages-ci packages-package packages-wasm: packages-%:
+.PHONY: packages-demo packages-test packages-bench packages-ci packages-package packages-wasm
+packages-demo packages-test packages-bench packages-ci packages-package packages-wasm: packages-%:
 	@tools/install_packages.sh $*

@@ -1,0 +1,276 @@
+#!/usr/bin/env python3
+"""Writes the tables and pictures of docs/performance.md from the results of the benchmarks.
+
+report.py RESULTS [PAGE]
+
+RESULTS is a folder with Google Benchmark's JSON files. Each table stands in PAGE (default: docs/performance.md)
+between `<!-- bench:NAME -->` and `<!-- /bench:NAME -->`; a table is left as it is when not all of its benchmarks
+were run. Pictures go to the folder img beside the page. All tables that could be made are printed as well."""
+import pathlib
+import platform
+import re
+import sys
+
+from line_chart import LineChart
+from results import Missing, Results, binary_bytes, count, digits, seconds, table, times
+from targets import SIZES, all_targets
+
+SERIES_HOLES = ("10", "30", "100", "300", "1000", "3000")
+TETHERS = ("2000", "3000", "4000", "5000", "6000", "7000", "8000")
+MAPS = (("willow", "Willow Garage"), ("intel", "Intel Research Lab"), ("depot", "depot"))
+CDT = (("maze", "MAZE"), ("mess", "MESS"))
+
+
+def processor():
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return platform.machine()
+
+
+def machine(results):
+    for name in ("triangulation/1000", "maze/plan", "growth/tether/classes/8000"):
+        results.entry(name)  # Only with a whole run.
+    mhz = results.context["mhz_per_cpu"]
+    return f"Machine: {processor()}, {mhz / 1000:.1f} GHz, one core; {results.context['date'][:10]}."
+
+
+TARGETS_HEAD = ["figure", "measured", "target", "", "command"]
+
+
+def targets(results, page):
+    """The table of targets; what was not measured now keeps its row of the page."""
+    old = {line.split(" | ")[0][2:]: line[2:-2].split(" | ") for line in page.splitlines() if line.startswith("| ")}
+    rows = []
+    for target in all_targets():
+        try:
+            rows.append(target.row(results))
+        except Missing:
+            rows.append(old.get(target.what, [target.what, "", "", "not measured", target.command]))
+    return table(TARGETS_HEAD, rows)
+
+
+def triangulation(results):
+    rows = []
+    for size in SIZES:
+        name = f"triangulation/{size}"
+        build, cgal = results.value(name, "build"), results.value(name, "cgal_build")
+        find, cgal_find = results.value(name, "locate"), results.value(name, "cgal_locate")
+        rows.append([count(results.value(name, "vertices")), seconds(build), seconds(cgal), times(build / cgal),
+                     seconds(find / 1000), seconds(cgal_find / 1000), times((build + find) / (cgal + cgal_find))])
+    head = ["vertices", "tautline: build with locator", "CGAL: build", "ratio", "tautline: locate", "CGAL: locate",
+            "ratio with 1,000 locations"]
+    return table(head, rows)
+
+
+def visibility(results):
+    rows = []
+    for size in SIZES[:4]:
+        name = f"visibility_graph/{size}"
+        v = lambda counter: results.value(name, counter)
+        rows.append([count(v("vertices")), count(v("corners")), count(v("edges")), seconds(v("seconds")),
+                     seconds(v("seconds_per_vertex")), f"{v('bytes_per_vertex'):.0f} B"])
+    return table(["vertices", "corners", "directed edges", "time", "per vertex", "memory per vertex"], rows)
+
+
+def funnel(results):
+    rows = []
+    for name, text in (("corridor/1000", "corridor"), ("corridor/10000", "corridor"), ("corridor/100000", "corridor"),
+                       ("tour/10000", "tour of 12 places, 10,000 vertices")):
+        v = lambda counter: results.value(f"funnel/{name}", counter)
+        rows.append([text, count(v("portals")), count(v("bends")), seconds(v("seconds_per_portal"))])
+    return table(["sleeve", "portals", "points of the taut curve", "per portal"], rows)
+
+
+def peer_time(results, name, counter):
+    text = seconds(results.value(name, counter))
+    return f"> {text}" if results.value(name, counter + "_gave_up") else text
+
+
+PEERS = ("dijkstra", "a_star", "a_star_exact", "a_star_exact_bitangents")
+
+
+def classes(results):
+    rows = []
+    for name, title in CDT:
+        for question, text in (("classes_up_to_length", "all within the tether"), ("shortest_classes/5", "5 shortest"),
+                               ("shortest_classes/50", "50 shortest")):
+            bench = f"{name}/{question}"
+            own = results.time(bench)
+            peers = [results.value(bench, f"h_augmented_{peer}") for peer in PEERS]
+            rows.append([f"{title}: {text}", digits(results.value(bench, "classes")), seconds(own),
+                         seconds(results.value(bench, "repeated")), seconds(peers[0]), times(peers[0] / own), *map(seconds, peers[1:]), times(min(peers) / own)])
+    head = ["question", "classes", "tautline", "again at once", "h-augmented peer", "ratio", "A*, straight line", "A*, exact rest",
+            "and bitangents only", "ratio to the best"]
+    return table(head, rows)
+
+
+def plans(results):
+    rows = []
+    for name, title in CDT:
+        bench = f"{name}/plan"
+        own = results.time(bench)
+        v = lambda counter: results.value(bench, counter)
+        rows.append([title, seconds(results.time(f"{name}/prepare")), seconds(own), seconds(v("p99")),
+                     seconds(v("worst")), peer_time(results, bench, "h_augmented"),
+                     times(v("h_augmented") / v("same_questions")),
+                     seconds(v("h_augmented_search")), peer_time(results, bench, "grid"), seconds(v("grid_search"))])
+    head = ["map", "preparation", "plan: median", "p99", "worst", "h-augmented peer", "ratio", "of that, search",
+            "grid peer", "of that, search"]
+    return table(head, rows)
+
+
+def real_maps(results):
+    rows = []
+    for name, title in MAPS:
+        v = lambda counter: results.value(f"{name}/plan", counter)
+        prepared = lambda counter: results.value(f"{name}/prepare", counter)
+        rows.append([title, count(prepared("vertices")), count(prepared("islands")), count(prepared("edges")),
+                     seconds(results.time(f"{name}/prepare")), count(v("queries")), seconds(results.time(f"{name}/plan")),
+                     seconds(v("p99")), seconds(v("worst")), count(v("out_of_budget"))])
+    head = ["map", "vertices", "islands", "directed edges", "preparation", "questions", "median", "p99", "worst",
+            "out of budget"]
+    return table(head, rows)
+
+
+def real_peers(results):
+    rows = []
+    for name, title in MAPS:
+        bench = f"{name}/plan_with_peer"
+        v = lambda counter: results.value(bench, counter)
+        own, peer = results.time(bench), v("h_augmented")
+        bound = "> " if v("h_augmented_gave_up") else ""
+        rows.append([title, seconds(own), bound + seconds(peer), bound + times(peer / own),
+                     count(v("h_augmented_states")), f"{v('h_augmented_gave_up'):.0f} of {v('queries'):.0f}"])
+    return table(["map", "tautline", "h-augmented peer", "ratio", "its states", "gave up"], rows)
+
+
+def growth_rows(results, names):
+    rows = []
+    for name in names:
+        v = lambda counter: results.value(name, counter)
+        rows.append([count(v("vertices")), count(v("holes")), count(v("edges")), seconds(v("prepare")),
+                     binary_bytes(v("kept_bytes")), binary_bytes(v("peak_bytes")), seconds(v("plan")),
+                     seconds(v("plan_worst")), count(v("out_of_budget"))])
+    head = ["vertices", "holes", "directed edges", "preparation", "memory kept", "peak", "plan: median", "worst",
+            "out of budget"]
+    return table(head, rows)
+
+
+def growth_vertices(results):
+    return growth_rows(results, [f"growth/vertices/{size}" for size in SIZES])
+
+
+def growth_holes(results):
+    return growth_rows(results, [f"growth/holes/{size}" for size in SERIES_HOLES])
+
+
+def growth_tether(results):
+    rows = []
+    for group in range(8):
+        v = lambda counter: results.value("growth/tether/plan", f"group{group}_{counter}")
+        rows.append([f"{v('tether'):.0f} m", seconds(v("median"))])
+    return table(["tether (middle of an eighth of the questions)", "plan: median"], rows)
+
+
+def growth_classes(results):
+    rows = []
+    for length in TETHERS:
+        name = f"growth/tether/classes/{length}"
+        v = lambda counter: results.value(name, counter)
+        own = results.time(name)
+        bound = "> " if v("h_augmented_gave_up") else ""
+        rows.append([count(v("length")), count(v("classes")), seconds(own), seconds(own / max(1, v("classes"))),
+                     binary_bytes(v("kept_bytes")), bound + seconds(v("h_augmented")), bound + times(v("h_augmented") / own)])
+    return table(["tether", "classes", "tautline", "per class", "memory of the answer", "h-augmented peer", "ratio"], rows)
+
+
+def chart_triangulation(results):
+    chart = LineChart("Constrained triangulation", "vertices", "time to build", count, seconds)
+    for name, counter in (("tautline, with locator", "build"), ("CGAL", "cgal_build")):
+        chart.add(name, [(results.value(f"triangulation/{s}", "vertices"), results.value(f"triangulation/{s}", counter))
+                         for s in SIZES])
+    return chart
+
+
+def chart_growth(results, title, x_label, x_counter, names):
+    chart = LineChart(title, x_label, "processor time", count, seconds)
+    for name, counter in (("preparation", "prepare"), ("plan, median", "plan")):
+        chart.add(name, [(results.value(n, x_counter), results.value(n, counter)) for n in names])
+    return chart
+
+
+def chart_vertices(results):
+    return chart_growth(results, "Synthetic maps, twenty vertices an obstacle", "vertices", "vertices",
+                        [f"growth/vertices/{size}" for size in SIZES])
+
+
+def chart_holes(results):
+    return chart_growth(results, "Synthetic maps of 20,000 vertices", "obstacles", "holes",
+                        [f"growth/holes/{size}" for size in SERIES_HOLES])
+
+
+def chart_classes(results):
+    chart = LineChart("All classes within the tether, MAZE", "tether", "processor time", count, seconds)
+    names = [f"growth/tether/classes/{length}" for length in TETHERS]
+    chart.add("tautline", [(results.value(n, "length"), results.time(n)) for n in names])
+    # Where the peer gave up there is a bound, not a time.
+    chart.add("h-augmented graph", [(results.value(n, "length"), results.value(n, "h_augmented")) for n in names
+                                    if not results.value(n, "h_augmented_gave_up")])
+    return chart
+
+
+TABLES = {"machine": machine, "triangulation": triangulation, "visibility": visibility,
+          "funnel": funnel, "classes": classes, "plans": plans, "real_maps": real_maps, "real_peers": real_peers,
+          "growth_vertices": growth_vertices, "growth_holes": growth_holes, "growth_tether": growth_tether,
+          "growth_classes": growth_classes}
+CHARTS = {"performance_triangulation": chart_triangulation, "performance_vertices": chart_vertices,
+          "performance_holes": chart_holes, "performance_classes": chart_classes}
+
+
+def with_table(page, name, text):
+    """The page with what stands between the markers of a table replaced."""
+    pattern = re.compile(rf"(<!-- bench:{name} -->\n).*?(<!-- /bench:{name} -->)", re.S)
+    if not pattern.search(page):
+        raise SystemExit(f"the page has no place for the table {name}: <!-- bench:{name} --><!-- /bench:{name} -->")
+    return pattern.sub(lambda match: f"{match[1]}{text}\n{match[2]}", page)
+
+
+def made(makers, results):
+    """What the makers can make of these results, by name."""
+    found = {}
+    for name, make in makers.items():
+        try:
+            found[name] = make(results)
+        except Missing:
+            continue
+    return found
+
+
+def print_verdicts(results):
+    """Each target that was measured; with a filter, the table of all cannot be made."""
+    for target in all_targets():
+        try:
+            print("  ".join(target.row(results)[:4]))
+        except Missing:
+            continue
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    results = Results(sys.argv[1])
+    path = pathlib.Path(sys.argv[2] if len(sys.argv) == 3 else "docs/performance.md")
+    page = path.read_text()
+    for name, text in made(TABLES, results).items():
+        print(f"{name}\n{text}\n")
+        page = with_table(page, name, text)
+    page = with_table(page, "targets", targets(results, page))
+    for name, chart in made(CHARTS, results).items():
+        (path.parent / "img" / f"{name}.svg").write_text(chart.svg())
+    path.write_text(page)
+    print_verdicts(results)
+
+
+if __name__ == "__main__":
+    main()
