@@ -190,12 +190,24 @@ class Slicer {
     }
   }
 
+  /// Whether a side of the triangle runs along the column and is a wall: a ray there parts nothing.
+  bool IsWall(double column) const {
+    for (int i = 0; i < 3; ++i) {
+      if (!mesh_.triangle(cell_.triangle).is_constrained(i)) continue;
+      const Point a = mesh_.triangulation().corner(cell_.triangle, Next(i));
+      const Point b = mesh_.triangulation().corner(cell_.triangle, Previous(i));
+      if (std::fabs(a.x - column) <= sliver_ && std::fabs(b.x - column) <= sliver_) return true;
+    }
+    return false;
+  }
+
   /// The ring's part of a column, upward where the slab lies to the left of it. Where the column runs along the end of
   /// the cell, rounding may part the two: there the part is taken just inside.
   void AddCut(const Ring& ring, double x, double column, bool upward, CellSlab& slab) const {
     const Range extent = RangeOfX(ring);
     const double inner = upward ? std::min(x, extent.high - 2 * sliver_) : std::max(x, extent.low + 2 * sliver_);
     const bool at_end = column >= RangeOfX(ring_).high - sliver_ || column <= RangeOfX(ring_).low + sliver_;
+    if (at_end && IsWall(column)) return;
     const auto chord = ColumnIn(ring, at_end ? inner : x);
     const double aside = column - disc_.centre.x;
     const double square = (disc_.radius - aside) * (disc_.radius + aside);

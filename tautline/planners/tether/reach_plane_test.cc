@@ -93,7 +93,7 @@ class ReachPlaneRandom : public testing::TestWithParam<bool> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(, ReachPlaneRandom, testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Families, ReachPlaneRandom, testing::Bool(),
                          [](const auto& suite) { return suite.param ? "Lattice" : "Separated"; });
 
 TEST_P(ReachPlaneRandom, HoldsWhatTheOracleReaches) {
