@@ -42,11 +42,11 @@ int Main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n`tautline COMMAND --help` tells more.");
   std::vector<Run> runs;
-  for (const auto add : {AddPlan, AddClasses, AddTaut, AddShow}) runs.push_back(add(app));
+  for (const auto add : {AddPlan, AddReach, AddClasses, AddTaut, AddShow}) runs.push_back(add(app));
   const auto commands = app.get_subcommands({});
   const auto is_called = [&](const CLI::App* command) { return command->check_name(argv[1]); };
   if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_called)) {
-    return Complain("there is no command '" + std::string(argv[1]) + "'; there are plan, classes, taut and show",
+    return Complain("there is no command '" + std::string(argv[1]) + "'; there are plan, reach, classes, taut and show",
                     kExitBadInput);
   }
   try {

@@ -25,6 +25,8 @@ inline const LineStyle kLaidLine = {.colour = "#333333", .width = 1.3, .wavy = t
 inline const LineStyle kRejectedLine = {.colour = "#b8400a", .width = 2, .dashes = "10 4 2 4"};
 inline const LineStyle kForbiddenLine = {.colour = "#b8400a", .width = 4, .dashes = "4 3"};
 inline const LineStyle kTautLine = {.colour = "#0b4a8f", .width = 3};
+inline const LineStyle kReachLine = {.colour = "#0b4a8f", .width = 2.4};
+inline const LineStyle kSheetLine = {.colour = "#0b4a8f", .width = 0.7, .dashes = "4 2"};
 inline const LineStyle kOtherClassLine = {.colour = "#9a9a9a", .width = 0.9};
 inline const LineStyle kRayLine = {.colour = "#7a7a7a", .width = 0.9, .dashes = "1.5 3"};
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tautline/geometry/polygon.h"
 
@@ -21,10 +22,23 @@ struct SvgStyle {
   std::string stroke = "none";
   double width = 1;    ///< Of the stroke, pixels.
   std::string dashes;  ///< Lengths of dashes and gaps, pixels: "6 3".
+  double opacity = 1;  ///< Of the fill, 0 to 1.
 };
 
 /// The fill that DefineHatch defines.
 inline constexpr char kHatchFill[] = "url(#tautline-hatch)";
+
+/// A line of straight pieces and circular arcs, pixels.
+struct SvgCurve {
+  struct Step {
+    Point to;
+    double radius = 0;          ///< 0: straight. An arc is less than a half turn.
+    bool anticlockwise = true;  ///< As seen in the picture.
+  };
+  Point start;
+  std::vector<Step> steps;
+  bool closed = false;
+};
 
 enum class TextAnchor { kStart, kMiddle, kEnd };
 
@@ -67,6 +81,9 @@ class SvgWriter {
   void Polygon(std::span<const Ring> rings, const SvgStyle& style);
   void Polylines(std::span<const Polyline> lines, const SvgStyle& style);
   void Polyline(std::span<const Point> line, const SvgStyle& style);
+
+  /// The curves as one shape, filled by the even-odd rule; arcs stay arcs.
+  void Curves(std::span<const SvgCurve> curves, const SvgStyle& style);
 
   /// A smooth curve from the first to the last point that is pulled towards the points between (a
   /// quadratic B-spline).

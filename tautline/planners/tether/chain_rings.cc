@@ -55,6 +55,8 @@ class Chainer {
       Finish(ring);
       if (!ring.pieces.empty()) rings.push_back(std::move(ring));
     }
+    std::stable_sort(rings.begin(), rings.end(),
+                     [](const RegionRing& a, const RegionRing& b) { return a.area > b.area; });
     return rings;
   }
 

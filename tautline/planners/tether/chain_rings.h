@@ -10,8 +10,8 @@ namespace tautline {
 
 /// Joins directed pieces, each with the region on its left, end to start. Ends that are no more than `tolerance` metres
 /// apart meet; pieces shorter than that are dropped; neighbours on one wall, cut or circle become one piece. Where
-/// several pieces start, the sharpest left turn is taken, so that rings touch and never cross. Throws when the pieces
-/// do not close. O(n log n).
+/// several pieces start, the sharpest left turn is taken, so that rings touch and never cross. The largest area first.
+/// Throws when the pieces do not close. O(n log n).
 std::vector<RegionRing> ChainRings(std::vector<RegionPiece> pieces, double tolerance);
 
 }  // namespace tautline

@@ -24,6 +24,26 @@ double ConnectedArea(const FreeMesh& mesh, Place place) {
   return area;
 }
 
+/// The shortest tether from the base to a place, whatever the limit; nothing when the place is not connected.
+std::optional<TautPath> ShortestTether(const TautSpace& space, const Socket& socket, Place to) {
+  auto path = FindShortestOnward(space, Walk(socket.exit), to);
+  if (!path || socket.stub_length == 0) return path;
+  path->points.insert(path->points.begin(), socket.base);
+  return space.MakePath(std::move(path->points));
+}
+
+std::optional<TautPath> Stretched(const TautSpace& space, const Socket& socket, const std::vector<RegionRing>& rings) {
+  const RegionPiece* longest = nullptr;
+  for (const RegionRing& ring : rings) {
+    for (const RegionPiece& piece : ring.pieces) {
+      if (piece.is_arc() && (longest == nullptr || Length(piece) > Length(*longest))) longest = &piece;
+    }
+  }
+  if (longest == nullptr) return std::nullopt;
+  const auto end = space.Locate(Middle(*longest));
+  return end ? ShortestTether(space, socket, *end) : std::nullopt;
+}
+
 ReachPoint AskAt(const TetherPlanner& planner, const Socket& socket, double limit, const ReachOptions& options) {
   const TautSpace& space = planner.space();
   ReachPoint asked{.point = *options.at};
@@ -33,15 +53,11 @@ ReachPoint AskAt(const TetherPlanner& planner, const Socket& socket, double limi
     asked.explanation = ExplainBlocked(space, "the point", asked.point);
     return asked;
   }
-  asked.least_tether = FindShortestOnward(space, Walk(socket.exit), *place);
+  asked.least_tether = ShortestTether(space, socket, *place);
   if (!asked.least_tether) {
     asked.obstruction = PlanObstruction::kGoalUnreachable;
     asked.explanation = ExplainApart(asked.point);
     return asked;
-  }
-  if (socket.stub_length > 0) {
-    asked.least_tether->points.insert(asked.least_tether->points.begin(), socket.base);
-    asked.least_tether = space.MakePath(std::move(asked.least_tether->points));
   }
   if (asked.least_tether->length > limit * (1 + kTetherTolerance)) {
     asked.obstruction = PlanObstruction::kTetherTooShort;
@@ -75,6 +91,7 @@ ReachResult Reach(const TetherPlanner& planner, const Tether& tether, const Reac
   const double length = tether.length - socket.stub_length;
   result.regions = ReachPlane(space, socket.exit, length);
   result.area = AreaOf(result.regions);
+  result.stretched = Stretched(space, socket, result.regions);
   if (options.sheets) {
     const Point stub[] = {socket.base, socket.exit.point};
     const Word prefix = socket.stub_length > 0 ? space.rays().WordOf(stub) : Word();

@@ -43,8 +43,10 @@ struct ReachResult {
   double area = 0;                                       ///< Of the region, square metres.
   double connected_area = 0;                             ///< What an endless tether would reach, square metres.
   std::vector<RegionRing> regions;                       ///< The boundary of the region, the region on its left.
-  std::optional<SheetList> sheets;                       ///< With ReachOptions::sheets.
-  std::optional<ReachPoint> at;                          ///< With ReachOptions::at, unless infeasible.
+  /// The shortest tether to the middle of the longest arc, where it is fully out; nothing where there is no arc.
+  std::optional<TautPath> stretched;
+  std::optional<SheetList> sheets;  ///< With ReachOptions::sheets.
+  std::optional<ReachPoint> at;     ///< With ReachOptions::at, unless infeasible.
 };
 
 /// The region of all points to which the robot can drive: those whose shortest tether is no longer than the limit. The

@@ -125,10 +125,11 @@ class SheetSearch {
       list_.area += gathered_[i].area;
       // Narrower than points are told apart: between a ray and a wall beside it.
       if (gathered_[i].area <= join_ * options_.length) continue;
-      Sheet sheet{words_.ToWord(static_cast<std::int32_t>(i)), gathered_[i].area, {}};
-      // Where walks are missing, so are parts of the boundary.
-      if (list_.complete) sheet.rings = ChainRings(std::move(gathered_[i].pieces), join_);
-      list_.sheets.push_back(std::move(sheet));
+      ++list_.classes;
+      // Where walks are missing, so are parts of the boundaries.
+      if (!list_.complete) continue;
+      list_.sheets.push_back({words_.ToWord(static_cast<std::int32_t>(i)), gathered_[i].area,
+                              ChainRings(std::move(gathered_[i].pieces), join_)});
     }
     std::sort(list_.sheets.begin(), list_.sheets.end(), [](const Sheet& a, const Sheet& b) {
       return std::pair(a.word.size(), a.word) < std::pair(b.word.size(), b.word);

@@ -15,7 +15,7 @@ namespace tautline {
 struct Sheet {
   Word word;
   double area = 0;                ///< Square metres.
-  std::vector<RegionRing> rings;  ///< Bounded by walls, arcs, and cuts along the rays; only of a complete list.
+  std::vector<RegionRing> rings;  ///< Bounded by walls, arcs, and cuts along the rays.
 };
 
 struct SheetOptions {
@@ -26,7 +26,8 @@ struct SheetOptions {
 };
 
 struct SheetList {
-  std::vector<Sheet> sheets;  ///< Shorter words first, words of one length in their order.
+  std::vector<Sheet> sheets;  ///< Of a complete list; shorter words first, words of one length in their order.
+  std::int64_t classes = 0;   ///< Words that were met; the number of sheets.
   double area = 0;            ///< Of all sheets.
   std::int64_t walks = 0;     ///< Taut walks counted, that of the root included.
   double counted_to = 0;      ///< Every taut walk to a corner that is shorter than this is counted, metres.

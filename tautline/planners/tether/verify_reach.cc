@@ -31,6 +31,7 @@ class ReachCheck {
     CheckRings(result_.regions, result_.area, "the region");
     if (result_.area > result_.connected_area + area_tolerance()) Fault("the region is larger than the free ground");
     CheckArcs();
+    if (result_.stretched) CheckCurve(*result_.stretched);
     if (result_.sheets) CheckSheets(*result_.sheets);
     if (result_.at && result_.at->least_tether) CheckCurve(*result_.at->least_tether);
     return verification_;
@@ -90,12 +91,13 @@ class ReachCheck {
   }
 
   void CheckSheets(const SheetList& list) {
+    if (!list.complete) return;
     double sum = 0;
     for (const Sheet& sheet : list.sheets) {
       sum += sheet.area;
-      if (list.complete) CheckRings(sheet.rings, sheet.area, "a sheet");
+      CheckRings(sheet.rings, sheet.area, "a sheet");
     }
-    if (list.complete && list.area < result_.area - area_tolerance()) Fault("the sheets are smaller than the region");
+    if (list.area < result_.area - area_tolerance()) Fault("the sheets are smaller than the region");
     // Each may be off by what a strip too narrow to count may hold.
     if (std::fabs(sum - list.area) > kTolerance * list.area) Fault("the areas of the sheets do not sum up");
   }

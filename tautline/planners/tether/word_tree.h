@@ -3,8 +3,7 @@
 #define TAUTLINE_PLANNERS_TETHER_WORD_TREE_H_
 
 #include <cstdint>
-#include <map>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 #include "tautline/homotopy/word.h"
@@ -14,7 +13,7 @@ namespace tautline {
 /// Each word is its longest proper prefix and one more letter; number 0 is the empty word.
 class WordTree {
  public:
-  /// The number of a word with the letters of another appended and cancelled. O(log) per letter.
+  /// The number of a word with the letters of another appended and cancelled. O(1) expected per letter.
   std::int32_t Append(std::int32_t word, const Word& tail) {
     for (const Letter letter : tail.letters()) word = Append(word, letter);
     return word;
@@ -38,13 +37,15 @@ class WordTree {
 
   std::int32_t Append(std::int32_t word, Letter letter) {
     if (word != 0 && node(word).letter == Letter{letter.obstacle, !letter.inverse}) return node(word).parent;
-    const auto [at, is_new] = children_.try_emplace({word, letter}, static_cast<std::int32_t>(nodes_.size()));
+    const auto obstacle = static_cast<std::uint64_t>(letter.obstacle.value());
+    const std::uint64_t key = (static_cast<std::uint64_t>(word) << 32) | (2 * obstacle + (letter.inverse ? 1 : 0));
+    const auto [at, is_new] = children_.try_emplace(key, static_cast<std::int32_t>(nodes_.size()));
     if (is_new) nodes_.push_back({word, letter});
     return at->second;
   }
 
   std::vector<Node> nodes_{{}};
-  std::map<std::pair<std::int32_t, Letter>, std::int32_t> children_;
+  std::unordered_map<std::uint64_t, std::int32_t> children_;  ///< By word and letter.
 };
 
 }  // namespace tautline
