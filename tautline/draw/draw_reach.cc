@@ -52,6 +52,9 @@ bool ShowsSheets(const ReachResult& result) {
          ClassesOnAverage(result) <= kMostOnAverage;
 }
 
+/// Whether some ground is reached in several classes.
+bool ShowsOverlaps(const ReachResult& result) { return ShowsSheets(result) && ClassesOnAverage(result) > 1.0001; }
+
 /// The opacity of one sheet.
 double SheetOpacity(const ReachResult& result) {
   return std::min(0.6 * kPlainOpacity, 1 - std::pow(1 - kAverageOpacity, 1 / ClassesOnAverage(result)));
@@ -119,7 +122,7 @@ std::string Title(const Case& c) {
   if (result.obstruction == PlanObstruction::kStartBlocked) return "No reach: the base lies on blocked ground";
   if (result.status == PlanStatus::kInfeasible) return "No reach: the tether ends inside its socket";
   return "A tether of " + c.Metres(result.limit) + " reaches " + AreaText(result.area) + ", " +
-         Share(result.area, result.connected_area) + " of the ground around it";
+         Share(result.area, result.connected_area) + " of the connected ground";
 }
 
 std::vector<std::string> Notes(const Case& c) {
@@ -128,8 +131,8 @@ std::vector<std::string> Notes(const Case& c) {
   if (!result.explanation.empty()) notes.push_back(result.explanation);
   if (result.sheets && result.sheets->complete) {
     const std::size_t count = result.sheets->sheets.size();
-    notes.push_back("It can lie there in " + std::to_string(count) + (count == 1 ? " class" : " classes") +
-                    ", at a point in " + CompactText(ClassesOnAverage(result), 1) + " on average.");
+    notes.push_back("It can lie in " + std::to_string(count) + (count == 1 ? " class" : " classes") + "; " +
+                    CompactText(ClassesOnAverage(result), 1) + " of them reach a point, on average.");
     if (!ShowsSheets(result)) notes.emplace_back("Too many to draw.");
   }
   if (result.at && !result.at->explanation.empty()) notes.push_back(result.at->explanation);
@@ -141,7 +144,7 @@ void AppendGroundEntries(const Case& c, std::vector<LegendEntry>& legend) {
   const auto patch = [&](const std::string& fill, const std::string& text) {
     legend.push_back({GroundSwatch{.fill = fill, .edge = kClearanceLineColour}, text, {}});
   };
-  if (!ShowsSheets(result)) {
+  if (!ShowsOverlaps(result)) {
     patch(Shade(kPlainOpacity, 0, 0), "within reach");
   } else {
     const double opacity = SheetOpacity(result);
@@ -152,7 +155,9 @@ void AppendGroundEntries(const Case& c, std::vector<LegendEntry>& legend) {
       if (count <= most) patch(Shade(kUnderOpacity, opacity, count), "in " + std::to_string(count) + " classes");
     }
   }
-  if (result.area < 0.9999 * result.connected_area) {
+  double free = 0;
+  for (const FreeComponent& component : c.space.components) free += component.area;
+  if (result.area < 0.9999 * free) {
     legend.push_back({GroundSwatch{.fill = kFreeColour, .edge = kClearanceLineColour}, "out of reach", {}});
   }
 }
@@ -168,7 +173,7 @@ bool ShowsRays(const ReachResult& result) {
 }
 
 bool ShowsSheetEnds(const ReachResult& result) {
-  return ShowsSheets(result) && result.sheets->sheets.size() > 1 && result.sheets->sheets.size() <= kMostOutlined;
+  return ShowsOverlaps(result) && result.sheets->sheets.size() <= kMostOutlined;
 }
 
 std::vector<LegendEntry> ReachLegend(const Case& c) {
@@ -199,7 +204,7 @@ void DrawRegion(Figure& figure, const Case& c) {
   const ReachResult& result = c.result;
   const View& view = figure.view();
   const std::string ink = kReachLine.colour;
-  const bool sheets = ShowsSheets(result);
+  const bool sheets = ShowsOverlaps(result);
   figure.Shape("region", CurvesOf(view, result.regions),
                {.fill = ink, .opacity = sheets ? kUnderOpacity : kPlainOpacity});
   if (sheets) {
