@@ -234,7 +234,7 @@ class Slicer {
 
 }  // namespace
 
-RayCuts::RayCuts(const FreeSpace& space, const FreeMesh& mesh) : first_{0} {
+RayCuts::RayCuts(const FreeSpace& space, const FreeMesh& mesh, double sliver) : first_{0} {
   std::vector<Point> feet;
   for (const Island& island : space.islands) feet.push_back(island.representative);
   std::sort(feet.begin(), feet.end());
@@ -245,9 +245,9 @@ RayCuts::RayCuts(const FreeSpace& space, const FreeMesh& mesh) : first_{0} {
       const Ring ring{mesh.triangulation().corner(id, 0), mesh.triangulation().corner(id, 1),
                       mesh.triangulation().corner(id, 2)};
       const Range range = RangeOfX(ring);
-      auto foot = std::lower_bound(feet.begin(), feet.end(), Point{range.low, -kInfinity});
-      for (; foot != feet.end() && foot->x <= range.high; ++foot) {
-        const auto chord = ColumnIn(ring, foot->x);
+      auto foot = std::lower_bound(feet.begin(), feet.end(), Point{range.low - sliver, -kInfinity});
+      for (; foot != feet.end() && foot->x <= range.high + sliver; ++foot) {
+        const auto chord = ColumnIn(ring, std::clamp(foot->x, range.low, range.high));
         // A foot lies in blocked ground: the column passes a free triangle all above it or all below.
         if (!chord || 0.5 * (chord->low + chord->high) < foot->y) continue;
         if (columns_.size() == first_.back() || columns_.back() != foot->x) columns_.push_back(foot->x);

@@ -3,6 +3,7 @@
 #define TAUTLINE_PLANNERS_TETHER_CELL_SLABS_H_
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tautline/homotopy/free_mesh.h"
@@ -15,7 +16,8 @@ namespace tautline {
 /// The columns of rays that pass each free triangle, above the start of a ray.
 class RayCuts {
  public:
-  RayCuts(const FreeSpace& space, const FreeMesh& mesh);
+  /// Columns no farther than `sliver` metres beside a triangle pass it, too.
+  RayCuts(const FreeSpace& space, const FreeMesh& mesh, double sliver);
 
   /// The columns, x in metres, from left to right.
   std::span<const double> In(TriangleId id) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <queue>
+#include <span>
 #include <utility>
 
 #include "tautline/homotopy/goal_field.h"

@@ -1,6 +1,7 @@
 #include "tautline/planners/tether/reach_sheets.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "tautline/homotopy/goal_field.h"
@@ -31,9 +32,9 @@ class SheetSearch {
   SheetSearch(const TautSpace& space, const SheetOptions& options)
       : space_(space),
         options_(options),
-        cuts_(space.free_space(), space.mesh()),
         join_(JoinTolerance(space.free_space(), options.length)),
-        sliver_(JoinTolerance(space.free_space(), 0)) {}
+        sliver_(JoinTolerance(space.free_space(), 0)),
+        cuts_(space.free_space(), space.mesh(), sliver_) {}
 
   SheetList Run() {
     Start();
@@ -138,9 +139,9 @@ class SheetSearch {
 
   const TautSpace& space_;
   const SheetOptions& options_;
-  RayCuts cuts_;
   double join_;
   double sliver_;  ///< What rounding of coordinates alone can cause.
+  RayCuts cuts_;
   WordTree words_;
   std::vector<TautLeg> legs_;
   std::vector<Waiting> queue_;      ///< A heap, the shortest first.

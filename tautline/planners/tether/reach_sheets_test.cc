@@ -183,6 +183,41 @@ TEST_P(ReachSheetsRandom, GrowWithTheTether) {
   });
 }
 
+/// Whether a blocked segment meets no boundary.
+bool StaysInside(const std::vector<Ring>& rings, Point a, Point b) {
+  for (const Ring& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point p = ring[i], q = ring[(i + 1) % ring.size()];
+      if (CrossProperly(a, b, p, q) || DistanceToSegment(b, p, q) < 1e-3 || DistanceToSegment(p, a, b) < 1e-3)
+        return false;
+    }
+  }
+  return true;
+}
+
+TEST(ReachSheets, RaysAlongWallsAndARoundingErrorBesideThem) {
+  std::int64_t moved = 0;
+  for (std::int64_t seed = 0; seed < ScaledTestCount(400); ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(static_cast<std::uint64_t>(seed));
+    RandomReach question = MakeRandomReach(rng, true, false, 0);
+    for (Island& island : question.ground.space.islands) {
+      Point foot = island.representative;
+      foot.x = std::round(foot.x) + (rng.UniformInt(0, 1) == 0 ? 0 : rng.UniformInt(0, 1) == 0 ? 1 : -1);
+      if (!StaysInside(question.ground.rings, island.representative, foot)) continue;
+      const int ulps = rng.UniformInt(-1, 1);
+      if (ulps != 0) foot.x = std::nextafter(foot.x, ulps > 0 ? 1e300 : -1e300);
+      island.representative = foot;
+      ++moved;
+    }
+    const TautSpace space(question.ground.space);
+    const SheetList list = SheetsOf(space, question.base, question.length);
+    if (!list.complete) continue;
+    for (const Sheet& sheet : list.sheets) ASSERT_NEAR(AreaOf(sheet.rings), sheet.area, 1e-6);
+  }
+  EXPECT_GT(moved, ScaledTestCount(50));
+}
+
 /// Whether left and right of a ray are not alike: a ray through the base, or two rays in one column.
 bool MeetsAColumn(const RandomReach& question) {
   std::set<double> columns{question.base.x};
