@@ -122,8 +122,10 @@ class Slicer {
         continue;
       }
       const bool last = column >= extent.high - sliver_;
-      AddSlab({range.low, last ? kInfinity : column}, {low_cut, column}, slabs);
-      range.low = low_cut = column;
+      if (!last) range.high = column;
+      AddSlab(range, {low_cut, column}, slabs);
+      low_cut = column;
+      range = {column, kInfinity};
       if (last) return slabs;
     }
     AddSlab(range, {low_cut, kInfinity}, slabs);

@@ -174,6 +174,19 @@ TEST_P(ReachSheetsRandom, AreasAgreeWithTheirRingsAndSum) {
   });
 }
 
+TEST(ReachSheets, ABaseWhereBlockedGroundTouchesLeavesByAllSectors) {
+  for (std::int64_t seed = 0; seed < ScaledTestCount(200); ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(static_cast<std::uint64_t>(seed));
+    const RandomReach question = MakeRandomReach(rng, true, true, 0);
+    const TautSpace space(question.ground.space);
+    const SheetList list = SheetsOf(space, question.base, question.length);
+    if (!list.complete) continue;
+    for (const Sheet& sheet : list.sheets) ASSERT_NEAR(AreaOf(sheet.rings), sheet.area, 1e-6);
+    ASSERT_GE(list.area, PlaneArea(space, question.base, question.length) - 1e-6);
+  }
+}
+
 TEST_P(ReachSheetsRandom, GrowWithTheTether) {
   ForEach(100, 0, [](const RandomReach& question, const TautSpace& space, const SheetList& list) {
     const SheetList less = SheetsOf(space, question.base, 0.8 * question.length);
