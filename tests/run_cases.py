@@ -61,8 +61,27 @@ def class_difference(got, want, tolerance):
     return None
 
 
+def reach_difference(got, want, tolerance):
+    """The first way in which a reach differs from what is expected, or None. `at` is the least tether to the point,
+    `rings` the number of rings of the boundary, `words` those of all sheets in any order."""
+    found = {"status": got["status"], "reason": got.get("reason"), "classes": got.get("classes"),
+             "rings": len(got.get("regions", [])), "words": sorted(s["word"] for s in got.get("sheets", []))}
+    for key in found:
+        expected = sorted(want[key]) if key == "words" and key in want else want.get(key)
+        if key in want and found[key] != expected:
+            return f"{key} {found[key]}, wanted {expected}"
+    lengths = {"area": got.get("area"), "sheet_area": got.get("sheet_area"),
+               "at": got.get("at", {}).get("least_tether", {}).get("length")}
+    for key, value in lengths.items():
+        if key in want and (value is None or not close(value, want[key], tolerance)):
+            return f"{key} {value}, wanted {want[key]}"
+    return None
+
+
 def difference(got, want, tolerance):
     """The first way in which an answer differs from what is expected, or None."""
+    if got["command"] == "reach":
+        return reach_difference(got, want, tolerance)
     if "classes" in got:
         return class_difference(got["classes"], want, tolerance)
     for key in ("status", "word", "homology"):

@@ -16,6 +16,7 @@ Run AddShow(CLI::App& app);
 Run AddPlan(CLI::App& app);
 Run AddClasses(CLI::App& app);
 Run AddTaut(CLI::App& app);
+Run AddReach(CLI::App& app);
 
 }  // namespace tautline::cli
 

@@ -39,7 +39,7 @@ int Main(int argc, char** argv) {
   const auto commands = app.get_subcommands({});
   const auto is_called = [&](const CLI::App* command) { return command->check_name(argv[1]); };
   if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_called)) {
-    return Complain("there is no command '" + std::string(argv[1]) + "'; there are plan, classes, taut and show",
+    return Complain("there is no command '" + std::string(argv[1]) + "'; there are plan, reach, classes, taut and show",
                     kExitBadInput);
   }
   try {

@@ -16,6 +16,8 @@ draw() {  # draw FILE COMMAND...: tautline COMMAND with the picture in FILE; exi
 draw willow_demo.png plan scenes/willow_demo.yaml
 draw plan.svg plan scenes/store_room.yaml
 draw classes.svg classes scenes/tanks.yaml --count 6
+draw reach.svg reach scenes/store_room.yaml --sheets
+draw reach_plane.svg reach scenes/two_ways.yaml
 draw taut.svg taut scenes/tanks.yaml
 draw show.svg show scenes/free_ground.yaml
 draw engine_taut.svg taut scenes/store_room.yaml

@@ -214,6 +214,13 @@ std::string Taut() {
   return DrawTaut(room.scene, room.space, {.laid = *room.scene.tether->laid, .taut = RoomPlan().start});
 }
 
+std::string ReachPicture(const ReachOptions& options, Point base = {1, 1}, double length = 9) {
+  Example room = Room();
+  room.scene.tether->base = base;
+  room.scene.tether->length = length;
+  return DrawReach(room.scene, room.space, Reach(room.scene, options).value());
+}
+
 }  // namespace
 
 Ring BoxRing(Point low, Point high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
@@ -318,6 +325,12 @@ std::vector<NamedPicture> ExamplePictures() {
           {"plan_tiny", PlanScaled(1e-4, {0, 0})},
           {"plan_huge", PlanScaled(1e5, {1e7, -3e7})},
           {"classes", Classes()},
+          {"reach", ReachPicture({})},
+          {"reach_sheets", ReachPicture({.sheets = true}, {1, 1}, 16)},
+          {"reach_at", ReachPicture({.at = Point{16, 8.5}})},
+          {"reach_at_blocked", ReachPicture({.at = Point{5, 5}})},
+          {"reach_stopped", ReachPicture({.sheets = true, .budget = 20}, {1, 1}, 40)},
+          {"reach_blocked", ReachPicture({}, {5, 5})},
           {"taut", Taut()},
           {"show", DrawShow(building.scene, building.space)},
           {"show_specks", DrawShow(specks.scene, specks.space)}};

@@ -7,6 +7,7 @@
 
 #include "tautline/draw/draw_classes.h"
 #include "tautline/draw/draw_plan.h"
+#include "tautline/draw/draw_reach.h"
 #include "tautline/draw/draw_show.h"
 #include "tautline/draw/draw_taut.h"
 

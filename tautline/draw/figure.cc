@@ -188,6 +188,13 @@ void Figure::PixelLine(std::string_view layer, std::span<const Point> line, cons
   placer_.TakeLine(line);
 }
 
+void Figure::Shape(std::string_view layer, std::span<const SvgCurve> curves, const SvgStyle& style) {
+  if (curves.empty()) return;
+  svg_.OpenWindow(layer, page_.map());
+  svg_.Curves(curves, style);
+  svg_.CloseWindow();
+}
+
 void Figure::Rays(const std::set<ObstacleId>& islands) {
   for (const ObstacleId id : islands) {
     const Point foot = view_.ToPixels(space_.islands[id.index()].representative);

@@ -39,6 +39,9 @@ class Figure {
   /// A line in pixels.
   void PixelLine(std::string_view layer, std::span<const Point> line, const LineStyle& style);
 
+  /// Curves in pixels as one shape of its own layer, under all labels. Labels need not keep off.
+  void Shape(std::string_view layer, std::span<const SvgCurve> curves, const SvgStyle& style);
+
   /// Short dotted rays upward from islands to the rim of the map.
   void Rays(const std::set<ObstacleId>& islands);
 

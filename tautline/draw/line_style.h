@@ -34,6 +34,10 @@ inline const LineStyle kRejectedLine = {.colour = "#b8400a", .width = 2, .dashes
 inline const LineStyle kForbiddenLine = {.colour = "#b8400a", .width = 4, .dashes = "4 3"};
 /// A taut curve.
 inline const LineStyle kTautLine = {.colour = "#0b4a8f", .width = 3};
+/// The boundary of what a tether reaches.
+inline const LineStyle kReachLine = {.colour = "#0b4a8f", .width = 2.4};
+/// The boundary of what it reaches in one class.
+inline const LineStyle kSheetLine = {.colour = "#0b4a8f", .width = 0.7, .dashes = "4 2"};
 /// Classes beyond those that are numbered.
 inline const LineStyle kOtherClassLine = {.colour = "#9a9a9a", .width = 0.9};
 /// The ray of an obstacle.

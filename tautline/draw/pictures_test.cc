@@ -12,6 +12,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::Contains;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
@@ -114,6 +115,29 @@ TEST(DrawClasses, NoneAtAll) {
   const std::string svg = DrawClasses(room.scene, room.space, {.from = {1, 1}, .to = {18, 2}, .list = {}});
   EXPECT_EQ(XmlCheck(svg).error(), "");
   EXPECT_THAT(svg, HasSubstr("No class"));
+}
+
+TEST(DrawReach, DrawsArcsAsArcs) {
+  const std::string svg = Find("reach");
+  EXPECT_THAT(XmlCheck(svg).classes(), IsSupersetOf({"region", "reach-end", "tether"}));
+  EXPECT_THAT(svg, ContainsRegex("class=\"reach-end\"[^/]*d=\"M[^\"]*a[0-9.]+ [0-9.]+ 0 0 0 "));
+  EXPECT_THAT(svg,
+              AllOf(HasSubstr("A tether of 9.00 m reaches"), HasSubstr("within reach"), HasSubstr("out of reach")));
+  EXPECT_THAT(XmlCheck(svg).classes(), Not(Contains("sheet")));
+}
+
+TEST(DrawReach, ShadesSheets) {
+  const std::string svg = Find("reach_sheets");
+  EXPECT_THAT(XmlCheck(svg).classes(), IsSupersetOf({"sheet", "sheet-end", "ray"}));
+  EXPECT_THAT(svg, AllOf(HasSubstr("within reach in 1 class"), HasSubstr("in 2 classes"), HasSubstr("fill-opacity")));
+  EXPECT_THAT(Find("reach_stopped"), HasSubstr("stopped after its budget of 20 taut walks"));
+  EXPECT_THAT(XmlCheck(Find("reach_stopped")).classes(), Not(Contains("sheet")));
+}
+
+TEST(DrawReach, ShowsThePointAndWhatItNeeds) {
+  EXPECT_THAT(Find("reach_at"), AllOf(HasSubstr("least tether to the point 16."), HasSubstr("the tether ends here")));
+  EXPECT_THAT(Find("reach_at_blocked"), HasSubstr("the point (5, 5) lies inside"));
+  EXPECT_THAT(Find("reach_blocked"), HasSubstr("the base lies on blocked ground"));
 }
 
 TEST(DrawTaut, ShowsTheRaysOfTheWord) {

@@ -59,6 +59,24 @@ class PathData {
     if (closed) last_ = first_;
   }
 
+  void Add(const SvgCurve& curve) {
+    Start({Snap(curve.start.x), Snap(curve.start.y)});
+    const std::size_t before = text_.size();
+    for (const SvgCurve::Step& step : curve.steps) {
+      const Cell cell{Snap(step.to.x), Snap(step.to.y)};
+      if (cell.x == last_.x && cell.y == last_.y) continue;
+      if (step.radius > 0) {
+        ArcTo(cell, step);
+      } else {
+        LineTo(cell);
+      }
+    }
+    if (text_.size() == before) text_ += "h0";  // A dot, by the round caps.
+    if (!curve.closed) return;
+    text_ += 'z';
+    last_ = first_;
+  }
+
   const std::string& text() const { return text_; }
 
  private:
@@ -84,6 +102,14 @@ class PathData {
     } else {
       text_ += 'l' + Number(dx) + (dy < 0 ? "" : " ") + Number(dy);
     }
+    last_ = cell;
+  }
+
+  void ArcTo(Cell cell, const SvgCurve::Step& step) {
+    const std::int64_t dx = cell.x - last_.x, dy = cell.y - last_.y;
+    const std::string radius = CompactText(std::min(step.radius, kFarAway), decimals_ + 1);
+    text_ += 'a' + radius + ' ' + radius + " 0 0 " + (step.anticlockwise ? "0 " : "1 ") + Number(dx) +
+             (dy < 0 ? "" : " ") + Number(dy);
     last_ = cell;
   }
 
@@ -191,6 +217,12 @@ void SvgWriter::Polyline(std::span<const Point> line, const SvgStyle& style) {
   Path(data.text(), style, false);
 }
 
+void SvgWriter::Curves(std::span<const SvgCurve> curves, const SvgStyle& style) {
+  PathData data(decimals_);
+  for (const SvgCurve& curve : curves) data.Add(curve);
+  Path(data.text(), style, true);
+}
+
 void SvgWriter::Smooth(std::span<const Point> points, const SvgStyle& style) {
   if (points.size() < 3) return Polyline(points, style);
   std::string data = 'M' + Pair(points[0]);
@@ -252,6 +284,7 @@ void SvgWriter::Path(const std::string& data, const SvgStyle& style, bool even_o
 
 void SvgWriter::AppendStyle(const SvgStyle& style) {
   out_ += " fill=\"" + EscapeXml(style.fill) + "\"";
+  if (style.opacity < 1) out_ += " fill-opacity=\"" + CompactText(style.opacity, 4) + "\"";
   if (style.stroke != "none") {
     out_ += " stroke=\"" + EscapeXml(style.stroke) + "\"";
     if (style.width != 1) out_ += " stroke-width=\"" + Number(style.width) + "\"";

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tautline/geometry/polygon.h"
 
@@ -21,10 +22,24 @@ struct SvgStyle {
   std::string stroke = "none";  ///< Colour of the edge.
   double width = 1;             ///< Of the stroke, pixels.
   std::string dashes;           ///< Lengths of dashes and gaps, pixels: "6 3".
+  double opacity = 1;           ///< Of the fill, 0 to 1.
 };
 
 /// The fill that DefineHatch defines.
 inline constexpr char kHatchFill[] = "url(#tautline-hatch)";
+
+/// A line of straight pieces and circular arcs, pixels.
+struct SvgCurve {
+  /// From where the one before ended.
+  struct Step {
+    Point to;                   ///< Where it ends.
+    double radius = 0;          ///< 0: straight. An arc is less than a half turn.
+    bool anticlockwise = true;  ///< As seen in the picture.
+  };
+  Point start;              ///< Where the first step starts.
+  std::vector<Step> steps;  ///< One after the other.
+  bool closed = false;      ///< Whether it ends where it starts.
+};
 
 /// Which part of a text stands at its point.
 enum class TextAnchor { kStart, kMiddle, kEnd };
@@ -78,6 +93,9 @@ class SvgWriter {
 
   /// One open line.
   void Polyline(std::span<const Point> line, const SvgStyle& style);
+
+  /// The curves as one shape, filled by the even-odd rule; arcs stay arcs.
+  void Curves(std::span<const SvgCurve> curves, const SvgStyle& style);
 
   /// A smooth curve from the first to the last point that is pulled towards the points between (a
   /// quadratic B-spline).

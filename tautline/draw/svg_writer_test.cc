@@ -36,6 +36,17 @@ TEST(SvgWriter, WritesRelativeMovesOnAGrid) {
   EXPECT_THAT(svg.Finish(), HasSubstr("d=\"M10 10h10v20l-5 5.5\""));
 }
 
+TEST(SvgWriter, KeepsArcs) {
+  SvgWriter svg({.width = 100, .height = 50, .decimals = 1});
+  const SvgCurve quarter{
+      .start = {10, 20}, .steps = {{{20, 10}, 10, false}, {{20, 20}}, {{20, 20.01}, 3}, {{10, 20}}}, .closed = true};
+  const SvgCurve dot{.start = {1, 1}, .steps = {{{1, 1.01}, 5}}};
+  svg.Curves(std::vector{quarter, dot}, {.fill = "red", .opacity = 0.25});
+  const std::string text = svg.Finish();
+  EXPECT_THAT(text, HasSubstr("d=\"M10 20a10 10 0 0 1 10-10v10h-10zM1 1h0\""));
+  EXPECT_THAT(text, HasSubstr("fill=\"red\" fill-opacity=\"0.25\""));
+}
+
 TEST(SvgWriter, HolesByTheEvenOddRule) {
   SvgWriter svg({.width = 100, .height = 50});
   const Ring rings[] = {{{0, 0}, {9, 0}, {9, 9}}, {{2, 1}, {8, 1}, {8, 7}}};

@@ -279,6 +279,14 @@ ClassList FindClassesOnward(const TautSpace& space, const Walk& walk, Place to, 
   return ClassSearch(space, walk, to, options).Run();
 }
 
+std::optional<TautPath> FindShortestOnward(const TautSpace& space, const Walk& walk, Place to) {
+  if (!space.mesh().Connected({walk.at, walk.sleeve.back()}, to)) return std::nullopt;
+  GoalField field(space, to, {.targets = {walk.at}});
+  auto points = FindShortestOnward(space, walk, GoalDistances(field));
+  if (!points) return std::nullopt;
+  return space.MakePath(*std::move(points));
+}
+
 std::optional<Polyline> FindShortestOnward(const TautSpace& space, const Walk& walk, const GoalDistances& field) {
   const Point goal = field->goal().point;
   if (IsStraight(space, walk, goal)) return walk.at == goal ? Polyline{goal} : Polyline{walk.at, goal};

@@ -39,8 +39,12 @@ ClassList FindClasses(const TautSpace& space, Point from, Point to, const ClassO
 /// the sector that the walk came in by, and there may be none.
 ClassList FindClassesOnward(const TautSpace& space, const Walk& walk, Place to, const ClassOptions& options = {});
 
-/// The shortest of those paths to the field's goal, however many classes tie: nothing when the walk and the goal are
-/// not connected. Grows the field as far as it must, then O(degree) per corner of the path.
+/// The shortest of those paths, whatever its length and however many classes tie: nothing when the walk and the place
+/// are not connected. Looks at the part of the visibility graph between the two.
+std::optional<TautPath> FindShortestOnward(const TautSpace& space, const Walk& walk, Place to);
+
+/// The same to the goal of a field that serves other searches, too. Grows the field as far as it must, then O(degree)
+/// per corner of the path.
 std::optional<Polyline> FindShortestOnward(const TautSpace& space, const Walk& walk, const GoalDistances& field);
 
 }  // namespace tautline

@@ -75,5 +75,24 @@ std::string ExplainBudget(std::int64_t budget) {
 }
 
 std::string ExplainStopped() { return "the search was stopped by its caller with the question still open"; }
+std::string ExplainApart(Point at) {
+  return "the point " + At(at) + " and the base are in parts of the free ground that are not connected";
+}
+
+std::string ExplainOutOfReach(Point at, double shortest, double limit) {
+  return "the point " + At(at) + " needs a tether of " + Metres(shortest) + ", " + Metres(shortest - limit) +
+         " more than there is";
+}
+
+std::string ExplainShortInSocket(double stub_length, double limit) {
+  return "the base is closer to a wall than the clearance: the tether of " + Metres(limit) +
+         " ends before it is out in the open, after " + Metres(stub_length);
+}
+
+std::string ExplainSheetBudget(std::int64_t budget, double counted_to) {
+  return "the count of classes stopped after its budget of " + std::to_string(budget) +
+         (budget == 1 ? " taut walk" : " taut walks") + ", which are all those up to " + Metres(counted_to) +
+         "; raise --budget or shorten the tether";
+}
 
 }  // namespace tautline

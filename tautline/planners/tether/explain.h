@@ -1,4 +1,4 @@
-// Why there is no plan, as one sentence with the numbers.
+// Why there is no plan, or no reaching a point, as one sentence with the numbers.
 #ifndef TAUTLINE_PLANNERS_TETHER_EXPLAIN_H_
 #define TAUTLINE_PLANNERS_TETHER_EXPLAIN_H_
 
@@ -24,6 +24,14 @@ std::string ExplainTooShort(const TautSpace& space, const TautPath& shortest, do
 /// That the search stopped after its budget of so many steps.
 std::string ExplainBudget(std::int64_t budget);
 std::string ExplainStopped();
+
+/// Why the robot cannot go to a point that somebody asked about.
+std::string ExplainApart(Point at);
+std::string ExplainOutOfReach(Point at, double shortest, double limit);
+/// The tether ends before it is out of its socket.
+std::string ExplainShortInSocket(double stub_length, double limit);
+/// Not all taut walks were counted, but all up to a length.
+std::string ExplainSheetBudget(std::int64_t budget, double counted_to);
 
 }  // namespace tautline
 
