@@ -15,6 +15,8 @@ from run_cases import ask, report, words_by_length
 
 SHIFTS = [(9_980_877.125, -9_979_001.5), (-9_970_000.3, 9_876_543.21)]
 TOLERANCE_M = 1e-6
+# Asks from a vertex where obstacles touch: far from the origin no point is exactly that vertex.
+EXACT = {"reach_touching.json"}
 
 GATE = {"world": {"outline": [[0, 0], [10, 0], [10, 6], [0, 6]],
                   "obstacles": [{"name": "low", "polygon": [[4.9, -1], [5.1, -1], [5.1, 2.9995], [4.9, 2.9995]]},
@@ -50,10 +52,12 @@ def moved_command(command, shift):
 def facts(answer):
     """Status, lengths and words of an answer."""
     classes = answer.get("classes", [])
+    if isinstance(classes, int):  # How many there are, of reach.
+        classes = []
     lengths = [c["length"] for c in classes]
     words = words_by_length(lengths, [c["word"] for c in classes], TOLERANCE_M)
     word = answer.get("word", answer.get("tether", {}).get("word"))
-    lengths += [answer[key] for key in ("length", "shortest_tether") if key in answer]
+    lengths += [answer[key] for key in ("length", "shortest_tether", "area", "sheet_area") if key in answer]
     return (answer["status"], answer.get("reason"), word, words), lengths
 
 
@@ -70,7 +74,7 @@ def difference(got, want):
 
 def case_results(program, prefixes):
     for path in sorted(pathlib.Path(__file__).parent.glob("cases/*.json")):
-        if not path.name.startswith(prefixes):
+        if not path.name.startswith(prefixes) or path.name in EXACT:
             continue
         case = json.loads(path.read_text())
         home = ask(program, case["scene"], case["command"])

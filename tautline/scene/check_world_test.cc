@@ -150,7 +150,7 @@ TEST(CheckWorld, TooManyCornersAreRefusedBeforeAnyWork) {
   EXPECT_EQ(ErrorAfter(crowd),
             "world has 4444004 corners, more than 4000000: simplify it (maps: --simplify METRES), or raise arc_error "
             "if you set it");
-  EXPECT_EQ(ErrorAfter([](World& world, FreeSpaceOptions& options) {
+  EXPECT_NE(ErrorAfter([](World& world, FreeSpaceOptions& options) {
               options.arc_error = kSmallestArcError;
               world.clearance = 0.1;
               Ring& comb = world.obstacles[0].polygon->outer;
@@ -159,7 +159,7 @@ TEST(CheckWorld, TooManyCornersAreRefusedBeforeAnyWork) {
               for (int i = 0; i < 120000; ++i) comb.push_back({1 + 1e-4 * i, 2.0 + i % 2});
               comb.push_back({13, 1});
             }).find("corners with its clearance, more than 64000000: simplify it"),
-            16u);
+            std::string::npos);
 }
 
 }  // namespace
