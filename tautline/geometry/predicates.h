@@ -8,8 +8,8 @@ namespace tautline {
 
 namespace internal {
 /// The slow exact paths behind the filters below.
-int ExactOrientation(Point a, Point b, Point c);
-int ExactInCircle(Point a, Point b, Point c, Point d);
+[[gnu::cold]] int ExactOrientation(Point a, Point b, Point c);
+[[gnu::cold]] int ExactInCircle(Point a, Point b, Point c, Point d);
 }  // namespace internal
 
 /// +1 when a, b, c turn left (counter-clockwise), -1 when they turn right, 0 when they are collinear. Exact for all

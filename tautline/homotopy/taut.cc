@@ -1,70 +1,107 @@
 #include "tautline/homotopy/taut.h"
 
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
+
 #include "tautline/geometry/predicates.h"
 
 namespace tautline {
 namespace {
 
-/// The funnel: two inward-convex chains from a common apex to the two ends of the current portal. They share one
-/// array: chain_[left_] .. chain_[apex_] is the left chain from its tip, chain_[apex_] .. chain_[right_] the right one.
+/// One side of the funnel, from the apex (not included) to its tip. It never holds more than `capacity` points between
+/// two resets, and its memory is touched only as far as it does.
+class Chain {
+ public:
+  explicit Chain(std::size_t capacity)
+      : memory_(std::make_unique_for_overwrite<std::byte[]>(capacity * sizeof(TautPoint))) {
+    Reset();
+  }
+
+  bool empty() const { return begin_ == end_; }
+  const TautPoint& front() const { return *begin_; }
+  const TautPoint& back() const { return end_[-1]; }
+  /// The point before the tip; `apex` when the tip is the only one.
+  const TautPoint& BeforeBack(const TautPoint& apex) const { return end_ - begin_ >= 2 ? end_[-2] : apex; }
+
+  void Push(const TautPoint& p) { *end_++ = p; }
+  void PopBack() { --end_; }
+  void PopFront() { ++begin_; }
+  /// Forgets the points that were popped in front. Requires that the chain is empty.
+  void Reset() { begin_ = end_ = reinterpret_cast<TautPoint*>(memory_.get()); }
+
+  std::span<const TautPoint> points() const { return {begin_, end_}; }
+
+ private:
+  // Bytes, since an array of points would be set to zero first. Copies of points begin to live in it as they come.
+  static_assert(std::is_trivially_copyable_v<TautPoint>);
+  std::unique_ptr<std::byte[]> memory_;
+  TautPoint* begin_;
+  TautPoint* end_;
+};
+
+/// The funnel: two inward-convex chains from a common apex to the two ends of the current portal.
 class Funnel {
  public:
-  Funnel(TautPoint start, std::size_t portals)
-      : chain_(2 * portals + 5), apex_(portals + 2), left_(apex_), right_(apex_) {
-    chain_[apex_] = start;
-    path_.push_back(start);
+  Funnel(const TautPoint& start, std::size_t portals) : path_{start}, left_(portals + 1), right_(portals + 1) {}
+
+  void AddRight(const TautPoint& p) {
+    while (!right_.empty() && Orientation(right_.BeforeBack(path_.back()).point, right_.back().point, p.point) >= 0) {
+      right_.PopBack();
+    }
+    if (right_.empty()) {
+      right_.Reset();
+      while (!left_.empty() && Orientation(path_.back().point, left_.front().point, p.point) > 0) {
+        path_.push_back(left_.front());
+        left_.PopFront();
+      }
+      if (left_.empty()) left_.Reset();
+    }
+    right_.Push(p);
   }
 
-  void AddRight(TautPoint p) {
-    while (right_ > apex_ && Orientation(chain_[right_ - 1].point, chain_[right_].point, p.point) >= 0) --right_;
-    if (right_ == apex_) {
-      while (left_ < apex_ && Orientation(chain_[apex_].point, chain_[apex_ - 1].point, p.point) > 0) {
-        path_.push_back(chain_[--apex_]);
-      }
-      right_ = apex_;
+  void AddLeft(const TautPoint& p) {
+    while (!left_.empty() && Orientation(left_.BeforeBack(path_.back()).point, left_.back().point, p.point) <= 0) {
+      left_.PopBack();
     }
-    chain_[++right_] = p;
-  }
-
-  void AddLeft(TautPoint p) {
-    while (left_ < apex_ && Orientation(chain_[left_ + 1].point, chain_[left_].point, p.point) <= 0) ++left_;
-    if (left_ == apex_) {
-      while (right_ > apex_ && Orientation(chain_[apex_].point, chain_[apex_ + 1].point, p.point) < 0) {
-        path_.push_back(chain_[++apex_]);
+    if (left_.empty()) {
+      left_.Reset();
+      while (!right_.empty() && Orientation(path_.back().point, right_.front().point, p.point) < 0) {
+        path_.push_back(right_.front());
+        right_.PopFront();
       }
-      left_ = apex_;
+      if (right_.empty()) right_.Reset();
     }
-    chain_[--left_] = p;
+    left_.Push(p);
   }
 
   /// The taut points from the start to `end`.
-  std::vector<TautPoint> Finish(TautPoint end) {
+  std::vector<TautPoint> Finish(const TautPoint& end) {
     AddRight(end);
-    path_.insert(path_.end(), chain_.begin() + static_cast<std::ptrdiff_t>(apex_) + 1,
-                 chain_.begin() + static_cast<std::ptrdiff_t>(right_) + 1);
+    path_.insert(path_.end(), right_.points().begin(), right_.points().end());
     return std::move(path_);
   }
 
  private:
-  std::vector<TautPoint> chain_;
-  std::size_t apex_, left_, right_;
-  std::vector<TautPoint> path_;
+  std::vector<TautPoint> path_;  ///< The part that is settled; its last point is the apex.
+  Chain left_, right_;
 };
 
-/// Without repeated points and straight turns, which arise where the curve starts or ends on a vertex or grazes one.
-std::vector<TautPoint> DropStraight(const std::vector<TautPoint>& points) {
-  std::vector<TautPoint> kept;
-  for (const TautPoint& p : points) {
-    if (!kept.empty() && kept.back().point == p.point) {
-      if (kept.size() > 1) kept.back() = p;
+/// Drops repeated points and straight turns, which arise where the curve starts or ends on a vertex or grazes one.
+void DropStraight(std::vector<TautPoint>& points) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const TautPoint p = points[i];
+    if (kept > 0 && points[kept - 1].point == p.point) {
+      if (kept > 1) points[kept - 1] = p;
       continue;
     }
-    while (kept.size() >= 2 && Orientation(kept[kept.size() - 2].point, kept.back().point, p.point) == 0) {
-      kept.pop_back();
-    }
-    kept.push_back(p);
+    while (kept >= 2 && Orientation(points[kept - 2].point, points[kept - 1].point, p.point) == 0) --kept;
+    points[kept++] = p;
   }
-  return kept;
+  points.resize(kept);
 }
 
 }  // namespace
@@ -85,7 +122,8 @@ TautCurve PullTaut(const FreeMesh& mesh, const Walk& walk) {
     left = new_left;
   }
   TautCurve curve;
-  curve.points = DropStraight(funnel.Finish({walk.at, {}}));
+  curve.points = funnel.Finish({walk.at, {}});
+  DropStraight(curve.points);
   for (std::size_t i = 1; i < curve.points.size(); ++i) {
     curve.length += Distance(curve.points[i - 1].point, curve.points[i].point);
   }
