@@ -26,6 +26,7 @@ BROKEN_PREFIX = "broken: "
 COMMANDS = {
     "show": [],
     "plan": ["--all", "--count", "5", "--verify"],
+    "reach": ["--sheets", "--budget", "2000", "--verify"],
     "classes": ["--count", "8", "--verify"],
     "taut": ["--verify"],
 }
@@ -55,20 +56,6 @@ def difference(native, browser, where=""):
     return next((why for name, a, b in pairs if (why := difference(a, b, name))), None)
 
 
-def without_cut_ties(answer):
-    """The answer, where a list is cut by its count without the entries that are as long as the last: which of several
-    equally long classes a count leaves out is decided by the heap of the standard library. Their number and length
-    stay."""
-    for key, complete, length in (("all", "all_complete", lambda entry: entry["tether"]["length"]),
-                                  ("classes", "complete", lambda entry: entry["length"])):
-        if not answer.get(key) or answer[complete]:
-            continue
-        longest = max(map(length, answer[key]))
-        shorter = [entry for entry in answer[key] if length(entry) < longest and not close(length(entry), longest)]
-        answer = {**answer, key: [*shorter, {"as long as the last": len(answer[key]) - len(shorter), "m": longest}]}
-    return answer
-
-
 def reply_difference(native, browser):
     """The first way in which two replies differ, or None."""
     if native["status"] != browser["status"]:
@@ -77,8 +64,7 @@ def reply_difference(native, browser):
         return f"error {native['error']!r}, in the browser {browser['error']!r}"
     if not native["answer"] or not browser["answer"]:
         return None if native["answer"] == browser["answer"] else "one of the answers is empty"
-    return difference(without_cut_ties(json.loads(native["answer"])), without_cut_ties(json.loads(browser["answer"])),
-                      "answer")
+    return difference(json.loads(native["answer"]), json.loads(browser["answer"]), "answer")
 
 
 def options_json(arguments):
@@ -88,7 +74,7 @@ def options_json(arguments):
         if argument.startswith("--"):
             key = argument[2:].replace("-", "_")
             options[key] = True
-        elif key in ("from", "to"):
+        elif key in ("from", "to", "at"):
             options[key] = [float(part) for part in argument.split(",")]
         else:
             options[key] = argument if key in ("word", "unknown") else float(argument)

@@ -44,18 +44,6 @@ class ReplyDifference(unittest.TestCase):
     def test_truth_is_no_number(self):
         self.assertIsNotNone(run_wasm.difference(True, 1))
 
-    def test_a_list_may_be_cut_at_any_of_equally_long_classes(self):
-        def cut(complete, *classes):
-            return {"classes": [{"word": word, "length": length} for word, length in classes], "complete": complete}
-
-        a, b = [cut(False, ("a", 1.0), (last, 2.0)) for last in "bc"]
-        self.assertIsNone(run_wasm.difference(run_wasm.without_cut_ties(a), run_wasm.without_cut_ties(b)))
-        for other in (cut(False, ("x", 1.0), ("b", 2.0)), cut(False, ("a", 1.0), ("b", 3.0)),
-                      cut(False, ("a", 2.0), ("b", 2.0))):
-            self.assertIsNotNone(run_wasm.difference(run_wasm.without_cut_ties(a), run_wasm.without_cut_ties(other)))
-        a, b = [cut(True, ("a", 1.0), (last, 2.0)) for last in "bc"]
-        self.assertIsNotNone(run_wasm.difference(run_wasm.without_cut_ties(a), run_wasm.without_cut_ties(b)))
-
     def test_no_answer(self):
         self.assertIsNotNone(self.difference(""))
 

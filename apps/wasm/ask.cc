@@ -4,10 +4,12 @@
 #include <new>
 #include <utility>
 
+#include "apps/answers/reach_answer.h"
 #include "apps/answers/show_answer.h"
 #include "apps/wasm/ask_options.h"
 #include "tautline/draw/draw_classes.h"
 #include "tautline/draw/draw_plan.h"
+#include "tautline/draw/draw_reach.h"
 #include "tautline/draw/draw_show.h"
 #include "tautline/draw/draw_taut.h"
 #include "tautline/scene/json_document.h"
@@ -64,6 +66,14 @@ Reply Plan(const Scene& scene, const AskOptions& options) {
   return reply;
 }
 
+Reply Reach(const Scene& scene, const AskOptions& options) {
+  const auto answer = AnswerReach(scene, options.reach);
+  if (!answer) return Refuse(answer.error());
+  Reply reply{.status = answer->status, .answer = Text(answer->json)};
+  if (options.svg) reply.svg = DrawReach(scene, answer->planner.space().free_space(), answer->result);
+  return reply;
+}
+
 Reply Classes(const Scene& scene, const AskOptions& options) {
   const auto answer = AnswerClasses(scene, options.classes);
   if (!answer) return Refuse(answer.error());
@@ -101,6 +111,7 @@ Reply Answer(const Question& question) {
   const auto scene = ReadScene(question, options->scene);
   if (!scene) return Refuse(scene.error());
   if (question.command == "plan") return Plan(*scene, *options);
+  if (question.command == "reach") return Reach(*scene, *options);
   if (question.command == "classes") return Classes(*scene, *options);
   return question.command == "taut" ? Taut(*scene, *options) : Show(*scene, *options);
 }

@@ -11,7 +11,7 @@ namespace tautline::wasm {
 using Files = std::map<std::string, std::string>;
 
 struct Question {
-  std::string command;  ///< plan, classes, taut or show.
+  std::string command;  ///< plan, reach, classes, taut or show.
   std::string scene;    ///< JSON.
   std::string options;  ///< JSON; see ask_options.h. Empty: none.
   Files files;          ///< The map by its name in the scene; the image of a ROS map beside it.

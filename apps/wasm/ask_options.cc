@@ -91,10 +91,19 @@ void ReadClasses(OptionsReader& options, ClassesQuestion& question) {
   options.AtLeastOne("budget", question.options.budget);
 }
 
+void ReadReach(OptionsReader& options, ReachQuestion& question) {
+  options.Flag("verify", question.verify);
+  options.Flag("sheets", question.options.sheets);
+  options.APoint("at", question.options.at);
+  options.AtLeastOne("budget", question.options.budget);
+}
+
 void RefuseUnknownKeys(const std::string& command, const Document& document, FieldReader& reader) {
   const std::string what = "the options of " + command;
   if (command == "plan") {
     reader.KnownKeys(document, what, {"svg", "verify", "unknown", "simplify", "all", "count", "budget"});
+  } else if (command == "reach") {
+    reader.KnownKeys(document, what, {"svg", "verify", "unknown", "simplify", "sheets", "at", "budget"});
   } else if (command == "classes") {
     reader.KnownKeys(document, what,
                      {"svg", "verify", "unknown", "simplify", "from", "to", "max_length", "count", "word", "budget"});
@@ -106,8 +115,8 @@ void RefuseUnknownKeys(const std::string& command, const Document& document, Fie
 }  // namespace
 
 Expected<AskOptions> ReadAskOptions(const std::string& command, const std::string& text) {
-  if (command != "plan" && command != "classes" && command != "taut" && command != "show") {
-    return InvalidInput("there is no command " + Quoted(command) + "; there are plan, classes, taut and show");
+  if (command != "plan" && command != "reach" && command != "classes" && command != "taut" && command != "show") {
+    return InvalidInput("there is no command " + Quoted(command) + "; there are plan, reach, classes, taut and show");
   }
   AskOptions asked;
   if (text.empty()) return asked;
@@ -121,6 +130,7 @@ Expected<AskOptions> ReadAskOptions(const std::string& command, const std::strin
     options.Unknown(asked.scene.unknown_free);
     options.NonNegative("simplify", asked.scene.simplify);
     if (command == "plan") ReadPlan(options, asked.plan);
+    if (command == "reach") ReadReach(options, asked.reach);
     if (command == "classes") ReadClasses(options, asked.classes);
     if (command == "taut") options.Flag("verify", asked.taut.verify);
   }

@@ -45,7 +45,7 @@ TEST(Ask, PlansAsTheProgramDoes) {
 }
 
 TEST(Ask, DrawsWhereAsked) {
-  for (const char* command : {"plan", "classes", "taut", "show"}) {
+  for (const char* command : {"plan", "reach", "classes", "taut", "show"}) {
     EXPECT_THAT(AskAbout(command, kBlock, R"({"svg": true})").svg, HasSubstr("<svg")) << command;
   }
 }
@@ -67,7 +67,7 @@ TEST(Ask, InfeasibleHasAnAnswerAndStatus3) {
 
 TEST(Ask, BadInputIsOneLineAndNothingElse) {
   const std::pair<Reply, const char*> faults[] = {
-      {AskAbout("paln", kBlock), "there is no command 'paln'; there are plan, classes, taut and show"},
+      {AskAbout("paln", kBlock), "there is no command 'paln'; there are plan, reach, classes, taut and show"},
       {AskAbout("plan", "{"), "scene:1: not valid JSON"},
       {AskAbout("plan", R"({"world": 1})"), "scene:1: world must be a map"},
       {AskAbout("plan", kBlock, "[]"), "options:1: options must be a map"},

@@ -15,10 +15,7 @@ namespace {
 /// two resets, and its memory is touched only as far as it does.
 class Chain {
  public:
-  explicit Chain(std::size_t capacity)
-      : memory_(std::make_unique_for_overwrite<std::byte[]>(capacity * sizeof(TautPoint))) {
-    Reset();
-  }
+  explicit Chain(std::size_t capacity) : memory_(new std::byte[capacity * sizeof(TautPoint)]) { Reset(); }
 
   bool empty() const { return begin_ == end_; }
   const TautPoint& front() const { return *begin_; }

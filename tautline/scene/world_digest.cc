@@ -1,8 +1,9 @@
 #include "tautline/scene/world_digest.h"
 
-#include <bit>
 #include <boost/crc.hpp>
 #include <string_view>
+
+#include "tautline/base/double_bits.h"
 
 namespace tautline {
 namespace {
@@ -13,7 +14,7 @@ class Digest {
   void Add(std::uint64_t value) {
     for (int shift = 0; shift < 64; shift += 8) crc_.process_byte(static_cast<unsigned char>(value >> shift));
   }
-  void Add(double value) { Add(std::bit_cast<std::uint64_t>(value)); }
+  void Add(double value) { Add(DoubleBits(value)); }
   void Add(Point p) {
     Add(p.x);
     Add(p.y);

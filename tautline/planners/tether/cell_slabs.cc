@@ -1,11 +1,11 @@
 #include "tautline/planners/tether/cell_slabs.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "tautline/base/double_bits.h"
 #include "tautline/geometry/polygon.h"
 #include "tautline/planners/tether/disc_area.h"
 
@@ -221,7 +221,7 @@ class Slicer {
     slab.pieces.push_back({.kind = PieceKind::kCut,
                            .from = upward ? bottom : top,
                            .to = upward ? top : bottom,
-                           .source = std::bit_cast<std::int64_t>(column)});
+                           .source = static_cast<std::int64_t>(DoubleBits(column))});
   }
 
   const FreeMesh& mesh_;

@@ -1,14 +1,13 @@
 #include "tautline/planners/tether/prepared_file.h"
 
-#include <bit>
 #include <boost/crc.hpp>
 #include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "tautline/base/double_bits.h"
 #include "tautline/scene/world_digest.h"
 
 namespace tautline {
@@ -32,7 +31,7 @@ class Packer {
   void Add(std::uint64_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) bytes_.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
   }
-  void Add(double value) { Add(std::bit_cast<std::uint64_t>(value), 8); }
+  void Add(double value) { Add(DoubleBits(value), 8); }
 
   Json Take() { return Json::binary(std::move(bytes_)); }
 
@@ -50,7 +49,7 @@ class Unpacker {
     for (int i = 0; i < bytes; ++i) value |= std::uint64_t{bytes_.at(at_++)} << (8 * i);
     return value;
   }
-  double TakeDouble() { return std::bit_cast<double>(Take(8)); }
+  double TakeDouble() { return DoubleOfBits(Take(8)); }
 
   bool done() const { return at_ == bytes_.size(); }
 

@@ -59,7 +59,7 @@ class PlaneRegion {
     for (auto begin = cells_.begin(); begin != cells_.end();) {
       const auto end = std::find_if(begin, cells_.end(),
                                     [begin](const OwnedCell& c) { return c.cell.triangle != begin->cell.triangle; });
-      const std::span<const OwnedCell> cells(begin, end);
+      const std::span<const OwnedCell> cells(&*begin, static_cast<std::size_t>(end - begin));
       for (int side = 0; side < 3; ++side) AddWalls(cells, side);
       for (const OwnedCell& cell : cells) AddArcs(cells, cell);
       begin = end;
