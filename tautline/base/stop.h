@@ -29,7 +29,9 @@ struct Stopped {};
 /// Asks once in so many steps, since asking costs more than a step.
 class StopCheck {
  public:
+  /// Never stops.
   StopCheck() = default;
+  /// Asks `keep_going` at every `steps`-th step.
   StopCheck(KeepGoing keep_going, int steps) : keep_going_(std::move(keep_going)), steps_(steps) {}
 
   /// Counts a step. Throws Stopped when the caller does not want to go on.

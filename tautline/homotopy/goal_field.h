@@ -28,14 +28,15 @@ std::vector<TautLeg> LegsFrom(const TautSpace& space, Place place);
 
 /// A first leg of a walk with the taut ways on from its corner.
 struct FirstLeg {
-  TautLeg leg;
-  EdgeRange onward;
+  TautLeg leg;       ///< From where the walk stands to a corner.
+  EdgeRange onward;  ///< From that corner.
 };
 
 /// The first legs of paths that go on from where a walk stands: on a vertex where blocked ground touches they leave
 /// within the sector that the walk came in by, or, when it has not moved yet and is not rooted, by any.
 std::vector<FirstLeg> FirstLegsFrom(const TautSpace& space, const Walk& walk);
 
+/// How a goal field grows.
 struct GoalFieldOptions {
   /// Where searches will start: the field grows towards the nearest of these points; without any, evenly.
   std::vector<Point> targets;
@@ -124,9 +125,12 @@ class GoalDistances {
   /// Requires that `shared` is complete and outlives this.
   explicit GoalDistances(const GoalField& shared) : field_(&shared) { TAUTLINE_CHECK(shared.complete()); }
 
+  /// The field.
   const GoalField& operator*() const { return *field_; }
+  /// A member of the field.
   const GoalField* operator->() const { return field_; }
 
+  /// As GoalField::GrowTo; a complete field stays as it is.
   void GrowTo(double radius) const {
     if (own_ != nullptr) own_->GrowTo(radius);
   }

@@ -39,10 +39,12 @@ SightList SeeFromAllCorners(const FreeMesh& mesh, const Corners& corners, const 
 
 /// Consecutive edges: all from `first` up to, not including, `last`.
 struct EdgeRange {
-  EdgeId first;
-  EdgeId last;
+  EdgeId first;  ///< The first edge.
+  EdgeId last;   ///< Past the last edge.
 
+  /// Whether there is no edge.
   bool empty() const { return first >= last; }
+  /// How many edges there are.
   std::size_t size() const { return last.index() - first.index(); }
 };
 
@@ -50,6 +52,7 @@ struct EdgeRange {
 /// on one side have one stance for a tail, and lie together.
 using StanceId = Index<struct StanceTag>;
 
+/// On this corner, with its obstacle on this side, which is not kNone.
 constexpr StanceId StanceOf(CornerId corner, Side side) {
   return StanceId(2 * corner.value() + (side == Side::kLeft ? 0 : 1));
 }
@@ -80,6 +83,7 @@ class VisibilityGraph {
     return std::span(edges_).subspan(first.index(), first_[2 * corner.index() + 2].index() - first.index());
   }
 
+  /// How many stances there are: two for each corner.
   std::size_t stances() const { return first_.size() - 1; }
   /// The edges that leave a stance, sorted by direction, turning towards the obstacle.
   EdgeRange OutOf(StanceId stance) const { return {first_[stance.index()], first_[stance.index() + 1]}; }

@@ -44,6 +44,7 @@ class Word {
   /// How many letters there are.
   std::size_t size() const { return letters_.size(); }
 
+  /// Letter by letter.
   friend bool operator==(const Word&, const Word&) = default;
   /// Letter by letter, as words of a dictionary. By hand: the standard library of the browser's compiler has no <=> for
   /// vectors.

@@ -20,8 +20,8 @@ inline constexpr double kLargestNumber = 1e15;
 
 /// What is wrong with a value and how to mend it: the rest of a sentence that starts with the value's name.
 struct Fault {
-  std::string text;
-  ErrorCode code = ErrorCode::kInvalidInput;
+  std::string text;                           ///< "must be ..."
+  ErrorCode code = ErrorCode::kInvalidInput;  ///< kLimitExceeded for what is too large.
 };
 
 /// Not finite, or larger than kLargestNumber.

@@ -23,10 +23,11 @@ std::string ExplainLaidTooLong(double taut_length, double limit);
 std::string ExplainTooShort(const TautSpace& space, const TautPath& shortest, double limit);
 /// That the search stopped after its budget of so many steps.
 std::string ExplainBudget(std::int64_t budget);
+/// That the caller of a search stopped it.
 std::string ExplainStopped();
-
-/// Why the robot cannot go to a point that somebody asked about.
+/// That a point that somebody asked about and the base stand on parts of the free ground that are not connected.
 std::string ExplainApart(Point at);
+/// That a point needs a tether of `shortest` metres, more than the `limit` there is.
 std::string ExplainOutOfReach(Point at, double shortest, double limit);
 /// The tether ends before it is out of its socket.
 std::string ExplainShortInSocket(double stub_length, double limit);

@@ -17,6 +17,7 @@
 
 namespace tautline {
 
+/// What to ask of a tether.
 struct ReachOptions {
   bool sheets = false;             ///< Also class by class.
   std::int64_t budget = 100'000;   ///< Taut walks, for `sheets`, after which the count stops with kBudgetExceeded.
@@ -26,7 +27,7 @@ struct ReachOptions {
 
 /// What the tether can do at one point.
 struct ReachPoint {
-  Point point;
+  Point point;  ///< The point that was asked about.
   /// kNone where the robot can go; else kGoalBlocked, kGoalUnreachable or kTetherTooShort.
   PlanObstruction obstruction = PlanObstruction::kNone;
   std::string explanation;               ///< One sentence, unless it can go there.
@@ -34,8 +35,9 @@ struct ReachPoint {
   std::optional<ClassList> classes;      ///< With ReachOptions::sheets: those within the limit, shortest first.
 };
 
+/// Where a tether lets its robot go.
 struct ReachResult {
-  PlanStatus status = PlanStatus::kInfeasible;
+  PlanStatus status = PlanStatus::kInfeasible;           ///< kBudgetExceeded: of the sheets alone.
   PlanObstruction obstruction = PlanObstruction::kNone;  ///< kStartBlocked, or kTetherTooShort to leave a socket.
   std::string explanation;                               ///< One sentence with the numbers, unless solved.
   double limit = 0;                                      ///< The tether's length, metres.

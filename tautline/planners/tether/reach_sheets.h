@@ -13,11 +13,12 @@ namespace tautline {
 
 /// All points that the tether can reach in classes of one word.
 struct Sheet {
-  Word word;
+  Word word;                      ///< Of the tether.
   double area = 0;                ///< Square metres.
   std::vector<RegionRing> rings;  ///< Bounded by walls, arcs, and cuts along the rays.
 };
 
+/// From where, and how far, sheets are counted.
 struct SheetOptions {
   Place root;                     ///< Where the tether comes into the free space; counts for all sectors there.
   Word prefix;                    ///< What it has written before, in a socket.
@@ -25,6 +26,7 @@ struct SheetOptions {
   std::int64_t budget = 100'000;  ///< Taut walks after which the list ends incomplete.
 };
 
+/// All sheets, or what was counted of them.
 struct SheetList {
   std::vector<Sheet> sheets;  ///< Of a complete list; shorter words first, words of one length in their order.
   std::int64_t classes = 0;   ///< Words that were met; the number of sheets.

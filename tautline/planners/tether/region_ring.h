@@ -20,14 +20,15 @@ enum class PieceKind : std::uint8_t {
 /// One directed piece of a region's boundary, the region on its left. Straight, or an arc counter-clockwise about its
 /// centre.
 struct RegionPiece {
-  PieceKind kind = PieceKind::kWall;
-  Point from;
-  Point to;
-  Point centre;             ///< Of an arc.
-  double radius = 0;        ///< Of an arc, metres; 0 for a straight piece.
-  double sweep = 0;         ///< Of an arc, radians, 0 to 2 pi.
+  PieceKind kind = PieceKind::kWall;  ///< What bounds the region here.
+  Point from;                         ///< Where it starts.
+  Point to;                           ///< Where it ends.
+  Point centre;                       ///< Of an arc.
+  double radius = 0;                  ///< Of an arc, metres; 0 for a straight piece.
+  double sweep = 0;                   ///< Of an arc, radians, 0 to 2 pi.
   std::int64_t source = 0;  ///< Of a straight piece: a number that all pieces of one wall, or of one cut, share.
 
+  /// Whether it is an arc; straight otherwise.
   bool is_arc() const { return kind == PieceKind::kArc; }
 };
 
@@ -39,7 +40,7 @@ Point Middle(const RegionPiece& piece);
 
 /// A closed sequence of pieces, each of which starts where the one before ends.
 struct RegionRing {
-  std::vector<RegionPiece> pieces;
+  std::vector<RegionPiece> pieces;  ///< In order.
   double area = 0;  ///< Square metres, by Green's formula: positive around a region, negative around a hole.
 };
 

@@ -50,6 +50,7 @@ struct LaidCableFault {
 /// planner.
 class PreparedStart {
  public:
+  /// The tether as it was given.
   const Tether& tether() const { return tether_; }
   /// The laid cable, or what is wrong with it.
   const tl::expected<LaidCable, LaidCableFault>& laid() const { return laid_; }
@@ -72,6 +73,7 @@ class PreparedStart {
 /// A goal prepared by TetherPlanner::PrepareGoal for many starts. Immutable; valid as long as the planner.
 class PreparedGoal {
  public:
+  /// The goal as it was given.
   Point point() const { return point_; }
 
  private:
@@ -84,6 +86,7 @@ class PreparedGoal {
   std::optional<GoalField> field_;  ///< The distances to it from everywhere.
 };
 
+/// How a world is prepared.
 struct PrepareOptions {
   Watcher watch = {};  ///< Told what is being prepared and how much of it is done; may stop it.
 };
