@@ -29,18 +29,18 @@ class Digest {
   }
   void Add(const Obstacle& obstacle) {
     Add(std::string_view(obstacle.name));
-    Add(std::uint64_t{obstacle.polygon.has_value()});
+    Add(static_cast<std::uint64_t>(obstacle.polygon.has_value()));
     if (obstacle.polygon) {
       Add(obstacle.polygon->outer);
-      Add(std::uint64_t{obstacle.polygon->holes.size()});
+      Add(static_cast<std::uint64_t>(obstacle.polygon->holes.size()));
       for (const Ring& hole : obstacle.polygon->holes) Add(hole);
     }
-    Add(std::uint64_t{obstacle.circle.has_value()});
+    Add(static_cast<std::uint64_t>(obstacle.circle.has_value()));
     if (obstacle.circle) {
       Add(obstacle.circle->centre);
       Add(obstacle.circle->radius);
     }
-    Add(std::uint64_t{obstacle.representative.has_value()});
+    Add(static_cast<std::uint64_t>(obstacle.representative.has_value()));
     if (obstacle.representative) Add(*obstacle.representative);
   }
 
