@@ -38,11 +38,12 @@ TEST(InOrder, TakesAllResultsInOrderForAnyNumberOfThreads) {
 TEST(InOrder, TakesEachResultBeforeTheLastIsComputed) {
   std::atomic<int> computed = 0;
   int computed_at_first = 0;
-  InOrder<int>::Run({.count = 10'000, .threads = 4}, [&](std::size_t) { return ++computed; },
-                    [&](std::size_t item, int) {
-                      if (item == 0) computed_at_first = computed;
-                      return true;
-                    });
+  InOrder<int>::Run(
+      {.count = 10'000, .threads = 4}, [&](std::size_t) { return ++computed; },
+      [&](std::size_t item, int) {
+        if (item == 0) computed_at_first = computed;
+        return true;
+      });
   EXPECT_EQ(computed, 10'000);
   EXPECT_LT(computed_at_first, 10'000);
 }
@@ -51,8 +52,9 @@ TEST(InOrder, StopsWhenNoMoreAreWanted) {
   for (const int threads : {1, 4}) {
     std::atomic<int> computed = 0;
     std::size_t taken = 0;
-    InOrder<int>::Run({.count = 1'000'000, .threads = threads}, [&](std::size_t) { return ++computed; },
-                      [&](std::size_t, int) { return ++taken < 5; });
+    InOrder<int>::Run(
+        {.count = 1'000'000, .threads = threads}, [&](std::size_t) { return ++computed; },
+        [&](std::size_t, int) { return ++taken < 5; });
     EXPECT_EQ(taken, 5u);
     EXPECT_LT(computed, 2000);
   }
@@ -62,12 +64,13 @@ TEST(InOrder, HandsOnWhatAComputationThrowsWhenItsTurnComes) {
   for (const int threads : {1, 3}) {
     std::size_t taken = 0;
     const auto run = [&] {
-      InOrder<int>::Run({.count = 100, .threads = threads},
-                        [](std::size_t item) {
-                          if (item >= 40) throw std::logic_error(std::to_string(item));
-                          return 0;
-                        },
-                        [&](std::size_t, int) { return ++taken > 0; });
+      InOrder<int>::Run(
+          {.count = 100, .threads = threads},
+          [](std::size_t item) {
+            if (item >= 40) throw std::logic_error(std::to_string(item));
+            return 0;
+          },
+          [&](std::size_t, int) { return ++taken > 0; });
     };
     try {
       run();
