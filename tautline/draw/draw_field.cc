@@ -13,7 +13,7 @@ namespace tautline {
 namespace {
 
 /// Between arrows that can be told apart, pixels.
-constexpr double kLeastSpacing = 9;
+constexpr double kLeastSpacing = 11;
 constexpr double kLongestArrow = 16;
 constexpr double kArrowShare = 0.78;  ///< Of the spacing.
 
@@ -72,7 +72,8 @@ std::vector<LegendEntry> FieldLegend(const FieldPicture& picture, int decimals) 
   legend.push_back(
       {swatch,
        "the robot's next heading",
-       {"its tether lies in the shortest class", "planned every " + LengthText(picture.grid.resolution, enough)}});
+       {"with its tether in the shortest class", "planned every " + LengthText(picture.grid.resolution, enough),
+        "none where the tether does not reach"}});
   const auto twin = std::adjacent_find(
       picture.samples.begin(), picture.samples.end(),
       [](const FieldSample& a, const FieldSample& b) { return a.row == b.row && a.column == b.column; });
@@ -81,7 +82,6 @@ std::vector<LegendEntry> FieldLegend(const FieldPicture& picture, int decimals) 
     other.arrows = true;
     legend.push_back({other, "with the tether in another class"});
   }
-  legend.push_back({std::monostate(), "No arrow: out of the tether's reach"});
   return legend;
 }
 
