@@ -114,7 +114,7 @@ std::vector<std::string> Faults(const Found& found, const TautSpace& space, cons
 Expected<ClassesAnswer> AnswerClasses(const Scene& scene, const ClassesQuestion& question) {
   auto asked = FillIn(question, scene);
   if (!asked) return tl::unexpected(asked.error());
-  auto planner = TetherPlanner::Prepare(scene.world);
+  auto planner = PreparePlanner(scene, question.preparation);
   if (!planner) return tl::unexpected(planner.error());
   auto found = Find(*planner, *asked);
   if (!found) return tl::unexpected(found.error());

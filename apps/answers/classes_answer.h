@@ -7,6 +7,7 @@
 
 #include "apps/answers/exit_status.h"
 #include "apps/answers/json_values.h"
+#include "apps/answers/preparation.h"
 #include "tautline/base/error.h"
 #include "tautline/homotopy/classes.h"
 #include "tautline/planners/tether/tether_planner.h"
@@ -20,6 +21,7 @@ struct ClassesQuestion {
   ClassOptions options;             ///< Without length and count: up to the tether, 100 at most.
   std::optional<std::string> word;  ///< Only the class of this word.
   bool verify = false;              ///< Check the answer by independent means.
+  Preparation preparation = {};     ///< How the world is prepared.
 };
 
 struct ClassesAnswer {
@@ -33,7 +35,7 @@ struct ClassesAnswer {
 };
 
 /// Lists classes. Errors: no end is given and the scene has none, a word names an unknown obstacle, and those of
-/// TetherPlanner::Prepare. Throws std::logic_error where the answer fails verification. Cost: see FindClasses.
+/// PreparePlanner. Throws std::logic_error where the answer fails verification. Cost: see FindClasses.
 [[nodiscard]] Expected<ClassesAnswer> AnswerClasses(const Scene& scene, const ClassesQuestion& question);
 
 }  // namespace tautline

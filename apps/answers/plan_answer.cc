@@ -31,8 +31,9 @@ void AddMotion(const JsonValues& values, const Motion& motion, double limit, Jso
   json["tether"]["limit"] = limit;
 }
 
-Json ToJson(const PlanResult& result, bool all, const FreeSpace& space) {
-  const JsonValues values(space);
+}  // namespace
+
+Json PlanJson(const PlanResult& result, bool all, const JsonValues& values) {
   Json json;
   json["command"] = "plan";
   json["status"] = StatusText(result.status);
@@ -55,15 +56,13 @@ Json ToJson(const PlanResult& result, bool all, const FreeSpace& space) {
   return json;
 }
 
-}  // namespace
-
 Expected<PlanAnswer> AnswerPlan(const Scene& scene, const PlanQuestion& question) {
   if (const auto missing = MissingTetherOrGoal(scene)) return tl::unexpected(*missing);
-  auto planner = TetherPlanner::Prepare(scene.world);
+  auto planner = PreparePlanner(scene, question.preparation);
   if (!planner) return tl::unexpected(planner.error());
   PlanAnswer answer{.planner = std::move(*planner)};
   answer.result = answer.planner.Plan(*scene.tether, *scene.goal, question.options);
-  answer.json = ToJson(answer.result, question.options.all, answer.planner.space().free_space());
+  answer.json = PlanJson(answer.result, question.options.all, JsonValues(answer.planner.space().free_space()));
   answer.status = answer.result.status == PlanStatus::kSolved ? kExitSolved : kExitInfeasible;
   if (MustVerify(question.verify)) {
     const Verification verification = VerifyPlan(answer.planner, *scene.tether, *scene.goal, answer.result);

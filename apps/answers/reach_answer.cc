@@ -105,7 +105,7 @@ Json ToJson(const ReachResult& result, const FreeSpace& space) {
 
 Expected<ReachAnswer> AnswerReach(const Scene& scene, const ReachQuestion& question) {
   if (const auto missing = MissingTether(scene)) return tl::unexpected(*missing);
-  auto planner = TetherPlanner::Prepare(scene.world);
+  auto planner = PreparePlanner(scene, question.preparation);
   if (!planner) return tl::unexpected(planner.error());
   ReachAnswer answer{*std::move(planner), {}, {}};
   answer.result = Reach(answer.planner, *scene.tether, question.options);

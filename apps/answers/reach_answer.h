@@ -4,6 +4,7 @@
 
 #include "apps/answers/exit_status.h"
 #include "apps/answers/json_values.h"
+#include "apps/answers/preparation.h"
 #include "tautline/base/error.h"
 #include "tautline/planners/tether/reach.h"
 #include "tautline/scene/scene.h"
@@ -12,7 +13,8 @@ namespace tautline {
 
 struct ReachQuestion {
   ReachOptions options;
-  bool verify = false;  ///< Check the answer by independent means.
+  bool verify = false;           ///< Check the answer by independent means.
+  Preparation preparation = {};  ///< How the world is prepared.
 };
 
 struct ReachAnswer {
@@ -23,7 +25,7 @@ struct ReachAnswer {
   int verified_curves = 0;          ///< How many curves were verified.
 };
 
-/// Prepares the world and answers. Errors: the scene has no tether, or as TetherPlanner::Prepare.
+/// Prepares the world and answers. Errors: the scene has no tether, or as PreparePlanner.
 [[nodiscard]] Expected<ReachAnswer> AnswerReach(const Scene& scene, const ReachQuestion& question);
 
 }  // namespace tautline

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 #include "apps/answers/classes_answer.h"
 #include "apps/cli/commands.h"
@@ -9,7 +10,9 @@
 #include "apps/cli/describe.h"
 #include "apps/cli/option_checks.h"
 #include "apps/cli/point_option.h"
+#include "apps/cli/prepared_options.h"
 #include "tautline/draw/draw_classes.h"
+#include "tautline/planners/tether/prepared_file.h"
 
 namespace tautline::cli {
 namespace {
@@ -64,17 +67,25 @@ std::string ToText(const ClassesAnswer& answer) {
 Expected<int> RunClasses(const ClassesCommand& command) {
   const auto scene = ReadScene(command.common);
   if (!scene) return tl::unexpected(scene.error());
-  const auto question = Ask(command);
+  auto question = Ask(command);
   if (!question) return tl::unexpected(question.error());
+  ProgressBar progress(!command.common.quiet);
+  auto preparation = ReadPreparation(command.common, progress);
+  if (!preparation) return tl::unexpected(preparation.error());
+  question->preparation = std::move(*preparation);
+  question->options.keep_going = progress.Passing("classes");
   const auto answer = AnswerClasses(*scene, *question);
+  progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
   const auto draw = [&] {
     const ClassesQuestion& asked = answer->question;
     const ClassesPicture picture{.from = *asked.from, .to = *asked.to, .list = answer->list};
     return DrawClasses(*scene, answer->planner.space().free_space(), picture);
   };
-  return Deliver(command.common,
-                 {.json = answer->json, .text = ToText(*answer), .draw = draw, .status = answer->status});
+  const auto prepared = [&] { return PreparedFile::Write(answer->planner, scene->world); };
+  return Deliver(
+      command.common,
+      {.json = answer->json, .text = ToText(*answer), .draw = draw, .prepared = prepared, .status = answer->status});
 }
 
 }  // namespace
@@ -83,6 +94,7 @@ Run AddClasses(CLI::App& app) {
   const auto command = std::make_shared<ClassesCommand>();
   CLI::App* sub = app.add_subcommand("classes", "the homotopy classes between two points, shortest first");
   AddCommonOptions(*sub, command->common);
+  AddPreparedOptions(*sub, command->common);
   sub->add_option("--from", command->from, "where the paths start; default: the tether's base")->type_name("X,Y");
   sub->add_option("--to", command->to, "where they end; default: the goal")->type_name("X,Y");
   CLI::Option* max_length =

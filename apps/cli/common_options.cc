@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "apps/cli/option_checks.h"
 #include "apps/cli/output_file.h"
@@ -27,7 +28,10 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options) {
   command.add_option("--simplify", options.simplify, "let boundaries traced from cells grow by up to this, metres")
       ->type_name("METRES")
       ->check(NonNegative());
-  command.add_option("--threads", options.threads, "the most threads to use")->check(AtLeastOne());
+  command
+      .add_option("--threads", options.threads,
+                  "the most threads to use, for --goals and --field; the answer does not depend on it")
+      ->check(AtLeastOne());
   command.add_option("--seed", options.seed, "the seed of everything random");
 }
 
@@ -43,12 +47,35 @@ bool SameFile(const std::string& a, const std::string& b) {
   return !std::filesystem::exists(a, none) && whole(a) == whole(b);
 }
 
+/// The files that are to be written, with their options.
+std::vector<std::pair<std::string, std::string>> OutputsOf(const CommonOptions& options) {
+  std::vector<std::pair<std::string, std::string>> outputs;
+  for (const auto& [option, path] :
+       {std::pair{"--svg", options.svg}, {"--png", options.png}, {"--save-prepared", options.save_prepared}}) {
+    if (!path.empty()) outputs.emplace_back(option, path);
+  }
+  return outputs;
+}
+
+std::optional<Error> TwoOutputsInOne(const CommonOptions& options) {
+  const auto outputs = OutputsOf(options);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t k = i + 1; k < outputs.size(); ++k) {
+      if (!SameFile(outputs[i].second, outputs[k].second)) continue;
+      return Error{ErrorCode::kInvalidInput,
+                   outputs[i].first + " and " + outputs[k].first + " name the same file; give each its own",
+                   outputs[i].second};
+    }
+  }
+  return std::nullopt;
+}
+
 /// An output that would replace the scene or its map.
 std::optional<Error> OutputIsInput(const CommonOptions& options, const std::string& input) {
-  for (const auto& [option, output] : {std::pair{"--svg", options.svg}, {"--png", options.png}}) {
-    if (output.empty() || !SameFile(output, input)) continue;
-    return Error{ErrorCode::kInvalidInput,
-                 std::string(option) + " would replace the input " + input + "; name another file", output};
+  for (const auto& [option, output] : OutputsOf(options)) {
+    if (input.empty() || !SameFile(output, input)) continue;
+    return Error{ErrorCode::kInvalidInput, option + " would replace the input " + input + "; name another file",
+                 output};
   }
   return std::nullopt;
 }
@@ -70,11 +97,11 @@ Expected<void> AddPictures(const CommonOptions& options, const Answer& answer, O
 
 }  // namespace
 
-Expected<Scene> ReadScene(const CommonOptions& options) {
-  if (!options.svg.empty() && !options.png.empty() && SameFile(options.svg, options.png)) {
-    return InvalidInput("--svg and --png name the same file; give each its own", options.svg);
+Expected<Scene> ReadScene(const CommonOptions& options, const std::string& other_input) {
+  if (const auto error = TwoOutputsInOne(options)) return tl::unexpected(*error);
+  for (const std::string& input : {options.scene, options.prepared, other_input}) {
+    if (const auto error = OutputIsInput(options, input)) return tl::unexpected(*error);
   }
-  if (const auto error = OutputIsInput(options, options.scene)) return tl::unexpected(*error);
   auto scene = ReadSceneFile(options.scene, {.unknown_free = options.unknown == "free", .simplify = options.simplify});
   if (scene && scene->world.map) {
     const auto map = std::filesystem::path(options.scene).parent_path() / scene->world.map->path;
@@ -86,6 +113,10 @@ Expected<Scene> ReadScene(const CommonOptions& options) {
 Expected<int> Deliver(const CommonOptions& options, const Answer& answer) {
   OutputFiles files;
   if (const auto added = AddPictures(options, answer, files); !added) return tl::unexpected(added.error());
+  if (!options.save_prepared.empty()) {
+    const auto added = files.Add(options.save_prepared, answer.prepared());
+    if (!added) return tl::unexpected(added.error());
+  }
   const bool quiet = options.quiet && !options.json;
   const std::string text = quiet ? "" : options.json ? answer.json.dump(1) + "\n" : answer.text;
   if (const auto written = WriteStandardOutput(text); !written) return tl::unexpected(written.error());

@@ -23,6 +23,8 @@ struct CommonOptions {
   std::string unknown = "blocked";  ///< Or "free".
   std::string svg;
   std::string png;
+  std::string prepared;       ///< A prepared map to read; commands that take one add the option.
+  std::string save_prepared;  ///< Where to keep the preparation.
   double simplify = 0;
   int threads = 1;
   std::uint64_t seed = 1;
@@ -31,15 +33,16 @@ struct CommonOptions {
 /// Adds SCENE and the common options to a command.
 void AddCommonOptions(CLI::App& command, CommonOptions& options);
 
-/// Reads the scene that the options name. Errors: as ReadSceneFile, and pictures that would replace each other, the
-/// scene or its map.
-[[nodiscard]] Expected<Scene> ReadScene(const CommonOptions& options);
+/// Reads the scene that the options name. Errors: as ReadSceneFile, and outputs that would replace each other, the
+/// scene, its map, the prepared map or `other_input` (a path; may be empty).
+[[nodiscard]] Expected<Scene> ReadScene(const CommonOptions& options, const std::string& other_input = "");
 
 /// What a command found, in the forms in which it can be handed out.
 struct Answer {
   const nlohmann::ordered_json& json;
-  std::string text;                   ///< For people, with the final newline.
-  std::function<std::string()> draw;  ///< The picture as SVG; called only where one is asked for.
+  std::string text;                            ///< For people, with the final newline.
+  std::function<std::string()> draw;           ///< The picture as SVG; called only where one is asked for.
+  std::function<std::string()> prepared = {};  ///< The bytes for --save-prepared; called only where they are asked for.
   int status = 0;
 };
 

@@ -15,6 +15,15 @@ CLI::Validator NonNegative() {
   return CLI::Validator(check, "");
 }
 
+CLI::Validator Positive() {
+  const auto check = [](const std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0) return "";
+    return "'" + text + "' is not a number larger than 0";
+  };
+  return CLI::Validator(check, "");
+}
+
 CLI::Validator AtLeastOne() {
   const auto check = [](const std::string& text) -> std::string {
     std::int64_t value = 0;
@@ -28,6 +37,14 @@ CLI::Validator FileName() {
   const auto check = [](const std::string& text) -> std::string {
     if (text.empty()) return "the name of the file is empty";
     return text[0] == '-' ? "'" + text + "' is an option, not the name of a file; write ./" + text + " if it is" : "";
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator InputName() {
+  const auto check = [](const std::string& text) -> std::string {
+    std::string name = text;
+    return text == "-" ? "" : FileName()(name);
   };
   return CLI::Validator(check, "");
 }

@@ -12,6 +12,12 @@ CLI::Validator NonNegative();
 /// A whole number, 1 or more.
 CLI::Validator AtLeastOne();
 
+/// A finite number larger than 0.
+CLI::Validator Positive();
+
+/// A FileName, or `-` for standard input.
+CLI::Validator InputName();
+
 /// The name of a file: not empty, and not an option that the name was forgotten before.
 CLI::Validator FileName();
 

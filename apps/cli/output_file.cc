@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "apps/cli/signals_blocked.h"
 #include "tautline/base/check.h"
 
 namespace tautline::cli {
@@ -32,23 +33,6 @@ extern "C" void OnSignal(int signal) {
 }
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP, SIGPIPE};
-
-/// Keeps those signals waiting while it lives.
-class SignalsBlocked {
- public:
-  SignalsBlocked() {
-    sigset_t set;
-    sigemptyset(&set);
-    for (const int signal : kSignals) sigaddset(&set, signal);
-    sigprocmask(SIG_BLOCK, &set, &before_);
-  }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-  ~SignalsBlocked() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
-
- private:
-  sigset_t before_{};
-};
 
 tl::unexpected<Error> CannotWrite(const std::string& what, int error) {
   return tl::unexpected<Error>(
@@ -172,6 +156,12 @@ Expected<void> OutputFiles::Commit() {
 Expected<void> WriteStandardOutput(std::string_view bytes) {
   if (const int error = WriteAll(STDOUT_FILENO, bytes); error != 0) return CannotWrite("standard output", error);
   return {};
+}
+
+Expected<void> WriteWholeLine(std::string_view line) {
+  // A closed pipe is no reason to wait: nobody reads the rest of the line.
+  const SignalsBlocked blocked{SIGINT, SIGTERM, SIGHUP};
+  return WriteStandardOutput(line);
 }
 
 void HandleSignals() {

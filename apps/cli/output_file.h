@@ -46,6 +46,9 @@ class OutputFiles {
 /// Writes and flushes. Errors: a full disk, a closed pipe.
 [[nodiscard]] Expected<void> WriteStandardOutput(std::string_view bytes);
 
+/// The same for one line of many: Ctrl-C waits until it is written, so that readers never see a part of a line.
+[[nodiscard]] Expected<void> WriteWholeLine(std::string_view line);
+
 /// From now on Ctrl-C, SIGTERM, SIGHUP and a closed pipe remove the temporary files, if there are any, and end the
 /// program silently with status 128 + the signal's number: 130 for Ctrl-C, 141 for a closed pipe. A file that grows
 /// beyond the user's limit (ulimit -f) is an error of OutputFiles::Add.

@@ -1,22 +1,23 @@
 // `tautline plan`: the shortest motion that the tether allows.
+#include "apps/cli/plan_command.h"
+
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 #include "apps/answers/plan_answer.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/common_options.h"
 #include "apps/cli/describe.h"
 #include "apps/cli/option_checks.h"
+#include "apps/cli/prepared_options.h"
+#include "apps/cli/progress_bar.h"
 #include "tautline/draw/draw_plan.h"
+#include "tautline/planners/tether/prepared_file.h"
 
 namespace tautline::cli {
 namespace {
-
-struct PlanCommand {
-  CommonOptions common;
-  PlanOptions options;
-};
 
 void DescribeAll(const PlanResult& result, const std::vector<std::string>& names, std::string& text) {
   if (result.all.empty()) return;
@@ -78,14 +79,25 @@ std::string ToText(const PlanResult& result, const FreeSpace& space) {
 }
 
 Expected<int> RunPlan(const PlanCommand& command) {
+  if (!command.goals.empty()) return RunPlanGoals(command);
+  if (command.field) return RunPlanField(command);
   const auto scene = ReadScene(command.common);
   if (!scene) return tl::unexpected(scene.error());
-  const auto answer = AnswerPlan(*scene, {.options = command.options, .verify = command.common.verify});
+  ProgressBar progress(!command.common.quiet);
+  auto preparation = ReadPreparation(command.common, progress);
+  if (!preparation) return tl::unexpected(preparation.error());
+  PlanOptions options = command.options;
+  options.keep_going = progress.Passing("search");
+  const auto answer =
+      AnswerPlan(*scene, {.options = options, .verify = command.common.verify, .preparation = std::move(*preparation)});
+  progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
   const FreeSpace& space = answer->planner.space().free_space();
   const std::string text = ToText(answer->result, space) + DescribeVerification(answer->verified_curves);
   const auto draw = [&] { return DrawPlan(*scene, space, answer->result); };
-  return Deliver(command.common, {.json = answer->json, .text = text, .draw = draw, .status = answer->status});
+  const auto prepared = [&] { return PreparedFile::Write(answer->planner, scene->world); };
+  return Deliver(command.common,
+                 {.json = answer->json, .text = text, .draw = draw, .prepared = prepared, .status = answer->status});
 }
 
 }  // namespace
@@ -94,16 +106,35 @@ Run AddPlan(CLI::App& app) {
   const auto command = std::make_shared<PlanCommand>();
   CLI::App* sub = app.add_subcommand("plan", "the shortest motion of the tethered robot that its tether allows");
   AddCommonOptions(*sub, command->common);
-  sub->add_flag("--all", command->options.all, "also list every class of the goal that the tether allows");
+  AddPreparedOptions(*sub, command->common);
+  CLI::Option* all =
+      sub->add_flag("--all", command->options.all, "also list every class of the goal that the tether allows");
   sub->add_option("--count", command->options.max_all, "with --all, at most so many, those with the shortest tethers")
       ->check(AtLeastOne())
       ->capture_default_str();
   sub->add_option("--budget", command->options.budget, "search steps after which to stop")
       ->check(AtLeastOne())
       ->capture_default_str();
+  CLI::Option* goals = sub->add_option("--goals", command->goals,
+                                       "plan to each goal of this file, `x y` in a line, - for standard input, and "
+                                       "print a line of JSON for each");
+  goals->type_name("FILE")->check(InputName());
+  CLI::Option* field = sub->add_flag("--field", command->field, "the next heading from every point of a grid");
+  field->excludes(goals)->excludes(all);
+  sub->add_option("--resolution", command->resolution,
+                  "with --field, between points of the grid; default: a hundredth of the longer side")
+      ->type_name("METRES")
+      ->check(Positive())
+      ->needs(field);
+  sub->add_option("--field-classes", command->field_classes,
+                  "with --field, at each point the so many classes with the shortest tethers")
+      ->check(AtLeastOne())
+      ->capture_default_str()
+      ->needs(field);
   sub->footer(
       "Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n"
-      "Exit status: 0 solved, 2 bad input, 3 no solution (with the reason).");
+      "  echo 3 2 | tautline plan scenes/two_ways.yaml --goals -\n"
+      "Exit status: 0 solved, with --goals all of them, 2 bad input, 3 no solution (with the reason).");
   return [command] { return RunPlan(*command); };
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "apps/answers/reach_answer.h"
 #include "apps/cli/commands.h"
@@ -10,7 +11,9 @@
 #include "apps/cli/describe.h"
 #include "apps/cli/option_checks.h"
 #include "apps/cli/point_option.h"
+#include "apps/cli/prepared_options.h"
 #include "tautline/draw/draw_reach.h"
+#include "tautline/planners/tether/prepared_file.h"
 
 namespace tautline::cli {
 namespace {
@@ -88,12 +91,20 @@ Expected<int> RunReach(const ReachCommand& command) {
     if (!at) return tl::unexpected(at.error());
     options.at = *at;
   }
-  const auto answer = AnswerReach(*scene, {.options = options, .verify = command.common.verify});
+  ProgressBar progress(!command.common.quiet);
+  auto preparation = ReadPreparation(command.common, progress);
+  if (!preparation) return tl::unexpected(preparation.error());
+  options.watch = progress.watcher();
+  const auto answer = AnswerReach(
+      *scene, {.options = options, .verify = command.common.verify, .preparation = std::move(*preparation)});
+  progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
   const FreeSpace& space = answer->planner.space().free_space();
   const std::string text = ToText(answer->result, space) + DescribeVerification(answer->verified_curves);
   const auto draw = [&] { return DrawReach(*scene, space, answer->result); };
-  return Deliver(command.common, {.json = answer->json, .text = text, .draw = draw, .status = answer->status});
+  const auto prepared = [&] { return PreparedFile::Write(answer->planner, scene->world); };
+  return Deliver(command.common,
+                 {.json = answer->json, .text = text, .draw = draw, .prepared = prepared, .status = answer->status});
 }
 
 }  // namespace
@@ -102,6 +113,7 @@ Run AddReach(CLI::App& app) {
   const auto command = std::make_shared<ReachCommand>();
   CLI::App* sub = app.add_subcommand("reach", "where the tether lets the robot go");
   AddCommonOptions(*sub, command->common);
+  AddPreparedOptions(*sub, command->common);
   sub->add_option("--at", command->at, "also ask whether the robot can go to this point, and what tether it needs")
       ->type_name("X,Y");
   sub->add_flag("--sheets", command->options.sheets, "also class by class");

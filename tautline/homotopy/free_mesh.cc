@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tautline/base/check.h"
 #include "tautline/geometry/predicates.h"
 
 namespace tautline {
@@ -66,7 +67,10 @@ void FreeMesh::MarkFree(const std::vector<InputEdge>& edges) {
       const Triangle& here = mesh_.triangle(stack.back());
       stack.pop_back();
       for (int i = 0; i < 3; ++i) {
-        if (!here.is_constrained(i)) add(here.neighbour(i));
+        if (here.is_constrained(i)) continue;
+        // Else the ring has free ground on its right, and all around the world.
+        TAUTLINE_CHECK(here.neighbour(i).valid());
+        add(here.neighbour(i));
       }
     }
     ++components;

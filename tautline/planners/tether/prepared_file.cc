@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tautline/base/double_bits.h"
+#include "tautline/planners/tether/prepared_check.h"
 #include "tautline/scene/world_digest.h"
 
 namespace tautline {
@@ -56,6 +57,40 @@ class Unpacker {
  private:
   const Json::binary_t& bytes_;
   std::size_t at_ = 0;
+};
+
+/// Lets through CBOR of the shape that Write gives it: not so deep that reading it exhausts the stack, nor of so many
+/// values that it exhausts the memory.
+class ShapeCheck : public nlohmann::json_sax<Json> {
+ public:
+  bool null() override { return Count(); }
+  bool boolean(bool) override { return Count(); }
+  bool number_integer(number_integer_t) override { return Count(); }
+  bool number_unsigned(number_unsigned_t) override { return Count(); }
+  bool number_float(number_float_t, const string_t&) override { return Count(); }
+  bool string(string_t& text) override { return Count() && IsText(text); }
+  bool binary(binary_t&) override { return Count(); }
+  bool start_object(std::size_t) override { return Count() && ++depth_ <= kDeepest; }
+  bool key(string_t& text) override { return Count() && IsText(text); }
+  bool end_object() override { return --depth_, true; }
+  bool start_array(std::size_t) override { return Count() && ++depth_ <= kDeepest; }
+  bool end_array() override { return --depth_, true; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+
+ private:
+  static constexpr int kDeepest = 16;
+  static constexpr std::int64_t kMostValues = 64'000'000;
+
+  bool Count() { return ++values_ <= kMostValues; }
+
+  /// Text that is not UTF-8 could not be printed in an answer.
+  static bool IsText(const std::string& text) {
+    static_cast<void>(Json(text).dump());  // Throws Json::exception.
+    return true;
+  }
+
+  int depth_ = 0;
+  std::int64_t values_ = 0;
 };
 
 Json ToJson(Point p) { return Json::array({p.x, p.y}); }
@@ -135,6 +170,7 @@ FreeSpace ToFreeSpace(const Json& json) {
   space.clearance = json.at("clearance").get<double>();
   space.snap = json.at("snap").get<double>();
   space.grid = json.at("grid").get<double>();
+  CheckPreparedSpace(space);
   return space;
 }
 
@@ -158,6 +194,7 @@ SightList ToSightList(const Json& json) {
     const auto tail = static_cast<Side>(sightings.Take(1));
     sight.sightings.push_back({corner, tail, static_cast<Side>(sightings.Take(1))});
   }
+  CheckPreparedSight(sight);
   return sight;
 }
 
@@ -188,6 +225,8 @@ Expected<TetherPlanner> PreparedFile::Read(std::string_view bytes, const World& 
   if (bytes.substr(0, line) != std::to_string(Checksum(body))) return damaged();
   // The checksum guards against accidents; what else may be wrong with the content, the checks of mesh and graph find.
   try {
+    ShapeCheck check;
+    if (!Json::sax_parse(body, &check, Json::input_format_t::cbor)) return damaged();
     const Json json = Json::from_cbor(body);
     if (json.at("world").get<std::uint64_t>() != WorldDigest(world)) {
       return InvalidInput(

@@ -95,8 +95,9 @@ ReachResult Reach(const TetherPlanner& planner, const Tether& tether, const Reac
   if (options.sheets) {
     const Point stub[] = {socket.base, socket.exit.point};
     const Word prefix = socket.stub_length > 0 ? space.rays().WordOf(stub) : Word();
-    result.sheets =
-        ReachSheets(space, {.root = socket.exit, .prefix = prefix, .length = length, .budget = options.budget});
+    result.sheets = ReachSheets(
+        space,
+        {.root = socket.exit, .prefix = prefix, .length = length, .budget = options.budget, .watch = options.watch});
     if (!result.sheets->complete) {
       result.status = PlanStatus::kBudgetExceeded;
       result.explanation = ExplainSheetBudget(options.budget, result.sheets->counted_to + socket.stub_length);

@@ -23,6 +23,9 @@ struct ReachOptions {
   std::int64_t budget = 100'000;   ///< Taut walks, for `sheets`, after which the count stops with kBudgetExceeded.
   std::optional<Point> at;         ///< A point to ask about.
   std::int64_t max_classes = 100;  ///< With `sheets`, list at most so many classes of that point.
+  /// With `sheets`, told of the share of the budget that is used: an upper bound of what is left. At a no the count
+  /// stops as at the budget's end.
+  Watcher watch = {};
 };
 
 /// What the tether can do at one point.

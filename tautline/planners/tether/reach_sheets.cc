@@ -38,7 +38,7 @@ class SheetSearch {
 
   SheetList Run() {
     Start();
-    while (!queue_.empty() && list_.walks < options_.budget) {
+    while (!queue_.empty() && list_.walks < options_.budget && GoesOn()) {
       std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
       const Waiting walk = queue_.back();
       queue_.pop_back();
@@ -56,6 +56,13 @@ class SheetSearch {
     double area = 0;
     std::vector<RegionPiece> pieces;
   };
+
+  /// Tells the watcher, once in so many walks, and asks it whether to go on.
+  bool GoesOn() const {
+    constexpr std::int64_t kPeriod = 64;
+    if (!options_.watch || list_.walks % kPeriod != 0) return true;
+    return options_.watch("classes", static_cast<double>(list_.walks) / static_cast<double>(options_.budget));
+  }
 
   Point PointOf(CornerId id) const { return space_.corners()[id].point; }
 

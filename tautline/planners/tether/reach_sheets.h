@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tautline/base/stop.h"
 #include "tautline/homotopy/taut_space.h"
 #include "tautline/homotopy/word.h"
 #include "tautline/planners/tether/region_ring.h"
@@ -24,6 +25,7 @@ struct SheetOptions {
   Word prefix;                    ///< What it has written before, in a socket.
   double length = 0;              ///< Metres from the root on.
   std::int64_t budget = 100'000;  ///< Taut walks after which the list ends incomplete.
+  Watcher watch = {};             ///< Told of the share of the budget; at a no the list ends incomplete.
 };
 
 /// All sheets, or what was counted of them.
