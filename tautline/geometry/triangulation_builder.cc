@@ -175,32 +175,52 @@ void TriangulationBuilder::InsertEdges(std::span<const InputEdge> edges) {
   }
 }
 
-/// Visits (triangle, position of `vertex` in it) around the vertex until the visitor says true: counter-clockwise all
+/// Calls visit(triangle, position of `vertex` in it) around the vertex until it says true: counter-clockwise all
 /// around, or, at a corner of the frame, to the frame and then from the start the other way.
 template <class Visit>
 void TriangulationBuilder::ForEachInFan(VertexId vertex, Visit visit) {
-  const TriangleId first = mesh_.triangle_at_[vertex.index()];
-  TriangleId at = first;
-  do {
-    const int i = At(at).IndexOf(vertex);
-    if (visit(at, i)) return;
-    at = At(at).neighbour(Next(i));
-  } while (at.valid() && at != first);
-  if (at.valid()) return;
-  at = first;
-  while ((at = At(at).neighbour(Previous(At(at).IndexOf(vertex)))).valid()) {
-    if (visit(at, At(at).IndexOf(vertex))) return;
+  for (FanWalk walk = FanOf(vertex); walk.at.valid(); Advance(walk)) {
+    if (visit(walk.at, walk.index)) return;
   }
 }
 
+TriangulationBuilder::FanWalk TriangulationBuilder::FanOf(VertexId vertex) {
+  const TriangleId first = mesh_.triangle_at_[vertex.index()];
+  return {vertex, first, first, At(first).IndexOf(vertex), false};
+}
+
+/// To the next triangle of the fan; to none at the end of the fan.
+void TriangulationBuilder::Advance(FanWalk& walk) {
+  if (!walk.clockwise) {
+    walk.at = At(walk.at).neighbour(Next(walk.index));
+    if (walk.at == walk.first) {
+      walk.at = TriangleId();
+    } else if (!walk.at.valid()) {  // The frame: turn round at the start.
+      walk.clockwise = true;
+      walk.at = walk.first;
+      walk.index = At(walk.at).IndexOf(walk.vertex);
+    }
+  }
+  if (walk.clockwise) walk.at = At(walk.at).neighbour(Previous(walk.index));
+  if (walk.at.valid()) walk.index = At(walk.at).IndexOf(walk.vertex);
+}
+
+/// The edge seen from its left, or no triangle when there is no such edge. Both fans are walked in step, so the smaller
+/// one ends the search: a triangulation has few edges both of whose ends have many, and the fan of a corner of the
+/// frame may have as many triangles as there are points. Most fans are small, so the first steps go around one end
+/// alone.
 TriangulationBuilder::Side TriangulationBuilder::FindEdge(VertexId from, VertexId to) {
-  Side side{{}, 0};
-  ForEachInFan(from, [&](TriangleId at, int i) {
-    if (At(at).vertex(Next(i)) != to) return false;
-    side = {at, Previous(i)};
-    return true;
-  });
-  return side;
+  constexpr int kSmallFan = 12;
+  int steps = 0;
+  FanWalk ahead = FanOf(from);
+  for (; ahead.at.valid() && steps < kSmallFan; Advance(ahead), ++steps) {
+    if (At(ahead.at).vertex(Next(ahead.index)) == to) return {ahead.at, Previous(ahead.index)};
+  }
+  for (FanWalk back = FanOf(to); ahead.at.valid() && back.at.valid(); Advance(ahead), Advance(back)) {
+    if (At(ahead.at).vertex(Next(ahead.index)) == to) return {ahead.at, Previous(ahead.index)};
+    if (At(back.at).vertex(Previous(back.index)) == from) return {back.at, Next(back.index)};
+  }
+  return {{}, 0};
 }
 
 bool TriangulationBuilder::MarkIfPresent(VertexId from, VertexId to) {

@@ -25,6 +25,13 @@ class TriangulationBuilder {
     TriangleId triangle;
     int index;
   };
+  /// A walk around a vertex; `at` is invalid after its end.
+  struct FanWalk {
+    VertexId vertex;
+    TriangleId first, at;
+    int index;  ///< Of the vertex in `at`.
+    bool clockwise;
+  };
   using VertexPair = std::pair<VertexId, VertexId>;
 
   Triangle& At(TriangleId id) { return mesh_.triangles_[id.index()]; }
@@ -50,6 +57,8 @@ class TriangulationBuilder {
   Side FindEdge(VertexId from, VertexId to);
   Side FirstCrossing(VertexId from, VertexId to);
 
+  FanWalk FanOf(VertexId vertex);
+  void Advance(FanWalk& walk);
   template <class Visit>
   void ForEachInFan(VertexId vertex, Visit visit);
 
