@@ -206,18 +206,22 @@ void TriangulationBuilder::Advance(FanWalk& walk) {
   if (walk.at.valid()) walk.index = At(walk.at).IndexOf(walk.vertex);
 }
 
-/// The edge seen from its left, or no triangle when there is no such edge. Both fans are walked in step, so the smaller
-/// one ends the search: a triangulation has few edges both of whose ends have many, and the fan of a corner of the
-/// frame may have as many triangles as there are points. Most fans are small, so the first steps go around one end
-/// alone.
+/// The edge seen from its left, or no triangle when there is no such edge. The fan of a corner of the frame may have as
+/// many triangles as there are points, but a triangulation has few edges both of whose ends have many: past the first
+/// few triangles both fans are walked in step, so that the smaller one ends the search.
 TriangulationBuilder::Side TriangulationBuilder::FindEdge(VertexId from, VertexId to) {
   constexpr int kSmallFan = 12;
-  int steps = 0;
-  FanWalk ahead = FanOf(from);
-  for (; ahead.at.valid() && steps < kSmallFan; Advance(ahead), ++steps) {
-    if (At(ahead.at).vertex(Next(ahead.index)) == to) return {ahead.at, Previous(ahead.index)};
+  const TriangleId first = mesh_.triangle_at_[from.index()];
+  TriangleId at = first;
+  for (int steps = 0; at.valid() && steps < kSmallFan; ++steps) {
+    const Triangle& here = At(at);
+    const int i = here.IndexOf(from);
+    if (here.vertex(Next(i)) == to) return {at, Previous(i)};
+    at = here.neighbour(Next(i));
+    if (at == first) return {{}, 0};
   }
-  for (FanWalk back = FanOf(to); ahead.at.valid() && back.at.valid(); Advance(ahead), Advance(back)) {
+  FanWalk ahead = FanOf(from), back = FanOf(to);
+  for (; ahead.at.valid() && back.at.valid(); Advance(ahead), Advance(back)) {
     if (At(ahead.at).vertex(Next(ahead.index)) == to) return {ahead.at, Previous(ahead.index)};
     if (At(back.at).vertex(Previous(back.index)) == from) return {back.at, Next(back.index)};
   }
@@ -275,7 +279,9 @@ VertexId TriangulationBuilder::FirstVertexAlong(VertexId from, VertexId to) {
 
 /// The edges that cross the open segment, from its start on. Requires that no vertex lies on the open segment.
 TriangulationBuilder::Channel TriangulationBuilder::CollectCrossings(VertexId from, VertexId to) {
-  Channel channel{.from = from, .to = to};
+  Channel channel;
+  channel.from = from;
+  channel.to = to;
   Side side = FirstCrossing(from, to);
   for (;;) {
     const Triangle& here = At(side.triangle);
