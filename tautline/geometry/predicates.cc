@@ -1,6 +1,7 @@
 #include "tautline/geometry/predicates.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +11,8 @@ namespace tautline {
 namespace {
 
 using Integer = boost::multiprecision::cpp_int;
+using Integer128 = boost::multiprecision::int128_t;
+using Integer256 = boost::multiprecision::int256_t;
 
 /// A finite double as mantissa * 2^exponent with an integer mantissa; zero has a large exponent so that it never
 /// decides the common scale.
@@ -40,6 +43,23 @@ void ToCommonScale(const double (&values)[N], Integer (&integers)[N]) {
   }
 }
 
+/// The values as integers below 2^61 over one common power of two; nothing when they do not fit.
+template <std::size_t N>
+std::optional<std::array<std::int64_t, N>> ToSmallIntegers(const std::array<double, N>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::fabs(value));
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  if (exponent < -900) return std::nullopt;  // The scale would overflow.
+  const double scale = std::ldexp(1, 60 - exponent);
+  std::array<std::int64_t, N> integers;
+  for (std::size_t i = 0; i < N; ++i) {
+    const double scaled = scale * values[i];
+    integers[i] = static_cast<std::int64_t>(scaled);
+    if (static_cast<double>(integers[i]) != scaled || (scaled == 0 && values[i] != 0)) return std::nullopt;
+  }
+  return integers;
+}
+
 /// Whether a - b is a double.
 bool DifferenceIsExact(double a, double b) {
   // The part of each operand that the rounded difference has lost. [Shewchuk1997, two-diff]
@@ -57,6 +77,34 @@ std::optional<int> CompareProducts(double p, double q, double r, double s) {
   if (left != right) return left > right ? 1 : -1;
   const double left_rest = std::fma(p, q, -left), right_rest = std::fma(r, s, -right);
   return left_rest > right_rest ? 1 : left_rest < right_rest ? -1 : 0;
+}
+
+bool DifferencesAreExact(Point a, Point b) { return DifferenceIsExact(a.x, b.x) && DifferenceIsExact(a.y, b.y); }
+
+/// InCircle of the points (x, y) given one after the other, and the origin. Requires |coordinate| < 2^62.
+int SmallInCircle(const std::array<std::int64_t, 6>& points) {
+  const auto [ax, ay, bx, by, cx, cy] = points;
+  // A sum of two products stays within 2^125, the determinant within 3 * 2^250.
+  const auto square = [](std::int64_t x, std::int64_t y) { return Integer128(x) * x + Integer128(y) * y; };
+  const auto cross = [](std::int64_t px, std::int64_t py, std::int64_t qx, std::int64_t qy) {
+    return Integer128(px) * qy - Integer128(qx) * py;
+  };
+  const Integer256 det = Integer256(square(ax, ay)) * cross(bx, by, cx, cy) +
+                         Integer256(square(bx, by)) * cross(cx, cy, ax, ay) +
+                         Integer256(square(cx, cy)) * cross(ax, ay, bx, by);
+  return det.sign();
+}
+
+int BigInCircle(Point a, Point b, Point c, Point d) {
+  const double values[8] = {a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y};
+  Integer v[8];
+  ToCommonScale(values, v);
+  const Integer ax = v[0] - v[6], ay = v[1] - v[7];
+  const Integer bx = v[2] - v[6], by = v[3] - v[7];
+  const Integer cx = v[4] - v[6], cy = v[5] - v[7];
+  const Integer det = (ax * ax + ay * ay) * (bx * cy - cx * by) + (bx * bx + by * by) * (cx * ay - ax * cy) +
+                      (cx * cx + cy * cy) * (ax * by - bx * ay);
+  return det.sign();
 }
 
 bool InClosedBox(Point a, Point b, Point p) {
@@ -82,15 +130,17 @@ int ExactOrientation(Point a, Point b, Point c) {
 }
 
 int ExactInCircle(Point a, Point b, Point c, Point d) {
-  const double values[8] = {a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y};
-  Integer v[8];
-  ToCommonScale(values, v);
-  const Integer ax = v[0] - v[6], ay = v[1] - v[7];
-  const Integer bx = v[2] - v[6], by = v[3] - v[7];
-  const Integer cx = v[4] - v[6], cy = v[5] - v[7];
-  const Integer det = (ax * ax + ay * ay) * (bx * cy - cx * by) + (bx * bx + by * by) * (cx * ay - ax * cy) +
-                      (cx * cx + cy * cy) * (ax * by - bx * ay);
-  return det.sign();
+  // Points of a raster and points far from the origin have exact differences, others like coordinates; both fit into
+  // integers of a fixed width, which need no memory from the heap.
+  if (DifferencesAreExact(a, d) && DifferencesAreExact(b, d) && DifferencesAreExact(c, d)) {
+    const Point u = a - d, v = b - d, w = c - d;
+    if (const auto s = ToSmallIntegers(std::array{u.x, u.y, v.x, v.y, w.x, w.y})) return SmallInCircle(*s);
+  }
+  if (const auto s = ToSmallIntegers(std::array{a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y})) {
+    const auto [ax, ay, bx, by, cx, cy, dx, dy] = *s;
+    return SmallInCircle({ax - dx, ay - dy, bx - dx, by - dy, cx - dx, cy - dy});
+  }
+  return BigInCircle(a, b, c, d);
 }
 
 }  // namespace internal

@@ -112,10 +112,57 @@ TEST(Predicates, InCircleIsExactAndAlternates) {
     const auto [a, b, c, d] = NearCircle(rng);
     const int inside = InCircle(a, b, c, d);
     ASSERT_EQ(inside, SlowInCircle(a, b, c, d));
+    ASSERT_EQ(inside, internal::ExactInCircle(a, b, c, d));
     ASSERT_EQ(inside, InCircle(b, c, a, d));
     ASSERT_EQ(inside, -InCircle(b, a, c, d));
     ASSERT_EQ(inside, -InCircle(a, b, d, c));
     ASSERT_EQ(InCircle(a, b, c, a), 0);
+  }
+}
+
+TEST(Predicates, InCircleIsExactOnRasters) {
+  const std::int64_t count = ScaledTestCount(10000);
+  int zeros = 0;
+  for (std::int64_t seed = 1; seed <= count; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(static_cast<std::uint64_t>(seed));
+    constexpr std::array<double, 3> kResolutions{0.05, 1, 0.1};
+    const double resolution = kResolutions[static_cast<std::size_t>(rng.UniformInt(0, 2))];
+    const Point origin = rng.UniformInt(0, 1) == 0 ? Point{0, 0} : Point{rng.Uniform(-50, 50), rng.Uniform(-1e6, 1e6)};
+    const auto any = [&] {
+      return origin + resolution * Point{1.0 * rng.UniformInt(0, 3), 1.0 * rng.UniformInt(0, 3)};
+    };
+    const Point a = any(), b = any(), c = any(), d = any();
+    const int inside = SlowInCircle(a, b, c, d);
+    ASSERT_EQ(InCircle(a, b, c, d), inside);
+    ASSERT_EQ(internal::ExactInCircle(a, b, c, d), inside);
+    zeros += inside == 0 ? 1 : 0;
+  }
+  EXPECT_GT(zeros, count / 20);
+}
+
+TEST(Predicates, InCircleOfVeryDifferentMagnitudes) {
+  const std::int64_t count = ScaledTestCount(3000);
+  for (std::int64_t seed = 1; seed <= count; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(static_cast<std::uint64_t>(seed));
+    const int spread = rng.UniformInt(0, 1) == 0 ? 10 : 100;  // Around what still fits into 62 bits, and far beyond.
+    const auto any = [&] { return RandomPoint(rng, std::ldexp(1, rng.UniformInt(-spread, spread))); };
+    const Point a = any(), b = any(), c = any(), d = any();
+    ASSERT_EQ(internal::ExactInCircle(a, b, c, d), SlowInCircle(a, b, c, d));
+    ASSERT_EQ(internal::ExactInCircle(a, b, c, {0, 0}), SlowInCircle(a, b, c, {0, 0}));
+  }
+}
+
+TEST(Predicates, InCircleOfTheLargestMantissas) {
+  // The determinants that need the most bits.
+  const double most = std::nextafter(2.0, 0), less = std::nextafter(most, 0);
+  for (const double x : {-most, -less, less, most}) {
+    for (const double y : {-most, -less, less, most}) {
+      const Point a{-most, -most}, b{most, -most}, c{most, most}, d{x, y};
+      EXPECT_EQ(internal::ExactInCircle(a, b, c, d), SlowInCircle(a, b, c, d)) << x << " " << y;
+      EXPECT_EQ(internal::ExactInCircle(a, d, b, c), SlowInCircle(a, d, b, c)) << x << " " << y;
+    }
   }
 }
 

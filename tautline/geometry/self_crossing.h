@@ -24,7 +24,7 @@ struct EdgePair {
 /// other side. A ring that touches itself in a point without crossing, or runs back along one of its edges, is not
 /// reported. Exact, but for rings that run along themselves, whose windings are compared on the grid of ComputeOverlay.
 /// Requires finite points and that no two neighbours are equal.
-/// O(n log n) for boundaries as they are met, O(n^2) when most edges have overlapping boxes.
+/// O(n log n), and k^2 for k edges that meet in one point.
 std::optional<EdgePair> FindSelfCrossing(std::span<const Point> ring);
 
 }  // namespace tautline

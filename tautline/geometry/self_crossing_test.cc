@@ -90,5 +90,31 @@ TEST(FindSelfCrossing, LongRingsAreFast) {
   EXPECT_FALSE(CrossesItself(ring));
 }
 
+/// A bar with `teeth` thin teeth, a thousand times as long as they are apart, all turned.
+Ring Comb(int teeth, double turn_rad) {
+  Ring ring;
+  for (int i = 0; i < teeth; ++i) {
+    ring.push_back({1.0 * i, 1});
+    ring.push_back({i + 0.5, 1000});
+  }
+  ring.push_back({1.0 * teeth, 0});
+  ring.push_back({0, 0});
+  for (Point& p : ring) {
+    p = {p.x * std::cos(turn_rad) - p.y * std::sin(turn_rad), p.x * std::sin(turn_rad) + p.y * std::cos(turn_rad)};
+  }
+  return ring;
+}
+
+TEST(FindSelfCrossing, CombsAreFast) {
+  // The box of a slanted tooth meets those of a thousand others; pair by pair this takes minutes.
+  for (const double turn_rad : {0.0, 0.7, 3.0}) {
+    Ring comb = Comb(100000, turn_rad);
+    EXPECT_FALSE(CrossesItself(comb)) << turn_rad;
+    // The tip of one tooth among its neighbours.
+    comb[100001] = comb[100001] + 1.5 * (comb[100002] - comb[100000]);
+    EXPECT_TRUE(CrossesItself(comb)) << turn_rad;
+  }
+}
+
 }  // namespace
 }  // namespace tautline

@@ -1,6 +1,7 @@
 #include "tautline/geometry/triangulation_builder.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "tautline/base/check.h"
 #include "tautline/geometry/hilbert_order.h"
@@ -175,32 +176,56 @@ void TriangulationBuilder::InsertEdges(std::span<const InputEdge> edges) {
   }
 }
 
-/// Visits (triangle, position of `vertex` in it) around the vertex until the visitor says true: counter-clockwise all
+/// Calls visit(triangle, position of `vertex` in it) around the vertex until it says true: counter-clockwise all
 /// around, or, at a corner of the frame, to the frame and then from the start the other way.
 template <class Visit>
 void TriangulationBuilder::ForEachInFan(VertexId vertex, Visit visit) {
-  const TriangleId first = mesh_.triangle_at_[vertex.index()];
-  TriangleId at = first;
-  do {
-    const int i = At(at).IndexOf(vertex);
-    if (visit(at, i)) return;
-    at = At(at).neighbour(Next(i));
-  } while (at.valid() && at != first);
-  if (at.valid()) return;
-  at = first;
-  while ((at = At(at).neighbour(Previous(At(at).IndexOf(vertex)))).valid()) {
-    if (visit(at, At(at).IndexOf(vertex))) return;
+  for (FanWalk walk = FanOf(vertex); walk.at.valid(); Advance(walk)) {
+    if (visit(walk.at, walk.index)) return;
   }
 }
 
+TriangulationBuilder::FanWalk TriangulationBuilder::FanOf(VertexId vertex) {
+  const TriangleId first = mesh_.triangle_at_[vertex.index()];
+  return {vertex, first, first, At(first).IndexOf(vertex), false};
+}
+
+/// To the next triangle of the fan; to none at the end of the fan.
+void TriangulationBuilder::Advance(FanWalk& walk) {
+  if (!walk.clockwise) {
+    walk.at = At(walk.at).neighbour(Next(walk.index));
+    if (walk.at == walk.first) {
+      walk.at = TriangleId();
+    } else if (!walk.at.valid()) {  // The frame: turn round at the start.
+      walk.clockwise = true;
+      walk.at = walk.first;
+      walk.index = At(walk.at).IndexOf(walk.vertex);
+    }
+  }
+  if (walk.clockwise) walk.at = At(walk.at).neighbour(Previous(walk.index));
+  if (walk.at.valid()) walk.index = At(walk.at).IndexOf(walk.vertex);
+}
+
+/// The edge seen from its left, or no triangle when there is no such edge. The fan of a corner of the frame may have as
+/// many triangles as there are points, but a triangulation has few edges both of whose ends have many: past the first
+/// few triangles both fans are walked in step, so that the smaller one ends the search.
 TriangulationBuilder::Side TriangulationBuilder::FindEdge(VertexId from, VertexId to) {
-  Side side{{}, 0};
-  ForEachInFan(from, [&](TriangleId at, int i) {
-    if (At(at).vertex(Next(i)) != to) return false;
-    side = {at, Previous(i)};
-    return true;
-  });
-  return side;
+  constexpr int kSmallFan = 12;
+  const TriangleId first = mesh_.triangle_at_[from.index()];
+  TriangleId at = first;
+  for (int steps = 0; at.valid() && steps < kSmallFan; ++steps) {
+    const Triangle& here = At(at);
+    const int i = here.IndexOf(from);
+    if (here.vertex(Next(i)) == to) return {at, Previous(i)};
+    at = here.neighbour(Next(i));
+    if (at == first) return {{}, 0};
+  }
+  FanWalk ahead = FanOf(from), back = FanOf(to);
+  for (; ahead.at.valid() && back.at.valid(); Advance(ahead), Advance(back)) {
+    if (At(ahead.at).vertex(Next(ahead.index)) == to) return {ahead.at, Previous(ahead.index)};
+    if (At(back.at).vertex(Previous(back.index)) == from) return {back.at, Next(back.index)};
+  }
+  return {{}, 0};
 }
 
 bool TriangulationBuilder::MarkIfPresent(VertexId from, VertexId to) {
@@ -252,53 +277,90 @@ VertexId TriangulationBuilder::FirstVertexAlong(VertexId from, VertexId to) {
   }
 }
 
-/// The edges that cross the open segment, as vertex pairs (right of the segment, left of it), from `from` on.
-/// Requires that no vertex lies on the open segment.
-void TriangulationBuilder::CollectCrossings(VertexId from, VertexId to, std::deque<VertexPair>& crossings) {
+/// The edges that cross the open segment, from its start on. Requires that no vertex lies on the open segment.
+TriangulationBuilder::Channel TriangulationBuilder::CollectCrossings(VertexId from, VertexId to) {
+  Channel channel;
+  channel.from = from;
+  channel.to = to;
   Side side = FirstCrossing(from, to);
   for (;;) {
     const Triangle& here = At(side.triangle);
     const auto index = static_cast<std::size_t>(side.index);
     TAUTLINE_CHECK(!here.constrained[index]);
-    crossings.emplace_back(here.vertices[(index + 1) % 3], here.vertices[(index + 2) % 3]);
+    channel.Add(here.vertices[(index + 1) % 3], here.vertices[(index + 2) % 3]);
     const TriangleId across = here.neighbours[index];
     const int i = At(across).IndexOf(side.triangle);
     const VertexId apex = At(across).vertex(i);
-    if (apex == to) return;
+    if (apex == to) return channel;
     side = {across, Orientation(PointOf(from), PointOf(to), PointOf(apex)) > 0 ? Next(i) : Previous(i)};
   }
 }
 
-std::vector<TriangulationBuilder::VertexPair> TriangulationBuilder::FlipAway(VertexId from, VertexId to,
-                                                                             std::deque<VertexPair> crossings) {
-  std::vector<VertexPair> created;
-  const Point p = PointOf(from), q = PointOf(to);
-  while (!crossings.empty()) {
-    const auto [right, left] = crossings.front();
-    crossings.pop_front();
-    const Side side = FindEdge(right, left);
-    const Triangle& here = At(side.triangle);
-    const VertexId apex = here.vertex(side.index);
-    const TriangleId across = here.neighbour(side.index);
-    const VertexId opposite = At(across).vertex(At(across).IndexOf(side.triangle));
-    const Point a = PointOf(apex), b = PointOf(opposite);
-    if (Orientation(a, b, PointOf(right)) * Orientation(a, b, PointOf(left)) >= 0) {
-      crossings.emplace_back(right, left);  // Not strictly convex: another flip must come first.
-      continue;
-    }
-    FlipAmongEdges(side.triangle, side.index);
-    const int turn_a = Orientation(p, q, a), turn_b = Orientation(p, q, b);
-    if (turn_a * turn_b < 0) {
-      crossings.push_back(turn_a < 0 ? VertexPair(apex, opposite) : VertexPair(opposite, apex));
-    } else {
-      created.emplace_back(apex, opposite);
-    }
+/// Appends a crossing.
+void TriangulationBuilder::Channel::Add(VertexId right, VertexId left) {
+  const std::size_t last = crossings.size();
+  crossings.push_back({.right = right, .left = left, .before = last == 0 ? kEnd : last - 1});
+  if (last == 0) {
+    first = last;
+  } else {
+    crossings[last - 1].after = last;
   }
-  return created;
 }
 
-void TriangulationBuilder::RestoreDelaunay(const std::vector<VertexPair>& edges) {
-  std::vector<VertexPair> pending = edges;
+void TriangulationBuilder::Channel::Remove(std::size_t at) {
+  const auto [before, after] = std::pair(crossings[at].before, crossings[at].after);
+  (before == kEnd ? first : crossings[before].after) = after;
+  if (after != kEnd) crossings[after].before = before;
+  crossings[at].gone = true;
+}
+
+/// Flips the edge of the crossing if its quadrilateral is strictly convex and, when `must_clear`, the other diagonal
+/// does not cross the segment. A diagonal that does not is left in `created`, and the crossing gone.
+bool TriangulationBuilder::FlipCrossing(std::size_t at, bool must_clear, Channel& channel) {
+  Channel::Crossing& crossing = channel.crossings[at];
+  const Side side = FindEdge(crossing.right, crossing.left);
+  const Triangle& here = At(side.triangle);
+  const TriangleId across = here.neighbour(side.index);
+  const VertexId apex = here.vertex(side.index), opposite = At(across).vertex(At(across).IndexOf(side.triangle));
+  const Point p = PointOf(channel.from), q = PointOf(channel.to), a = PointOf(apex), b = PointOf(opposite);
+  if (Orientation(a, b, PointOf(crossing.right)) * Orientation(a, b, PointOf(crossing.left)) >= 0) return false;
+  const int turn_a = Orientation(p, q, a), turn_b = Orientation(p, q, b);
+  const bool crosses = turn_a * turn_b < 0;
+  if (crosses && must_clear) return false;
+  FlipAmongEdges(side.triangle, side.index);
+  if (crosses) {
+    std::tie(crossing.right, crossing.left) = turn_a < 0 ? VertexPair(apex, opposite) : VertexPair(opposite, apex);
+  } else {
+    channel.created.emplace_back(apex, opposite);
+    channel.Remove(at);
+  }
+  return true;
+}
+
+/// Flips until nothing crosses the segment. Passes along the segment flip what can be flipped [Sloan1993]; each flip
+/// may let the crossings beside it clear the segment, which therefore is tried at once: past a chain of vertices that
+/// bulges towards the segment, a pass would clear only the two at its ends.
+void TriangulationBuilder::FlipAway(Channel& channel) {
+  std::vector<std::size_t> beside;
+  const auto add_beside = [&](std::size_t at) {
+    beside.push_back(channel.crossings[at].before);
+    beside.push_back(channel.crossings[at].after);
+  };
+  while (channel.first != channel.kEnd) {
+    for (std::size_t at = channel.first; at != channel.kEnd; at = channel.crossings[at].after) {
+      if (channel.crossings[at].gone || !FlipCrossing(at, false, channel)) continue;
+      add_beside(at);
+      while (!beside.empty()) {
+        const std::size_t next = beside.back();
+        beside.pop_back();
+        if (next == channel.kEnd || channel.crossings[next].gone || !FlipCrossing(next, true, channel)) continue;
+        add_beside(next);
+      }
+    }
+  }
+}
+
+void TriangulationBuilder::RestoreDelaunay(std::vector<VertexPair> pending) {
   while (!pending.empty()) {
     const auto [a, b] = pending.back();
     pending.pop_back();
@@ -318,11 +380,10 @@ void TriangulationBuilder::RestoreDelaunay(const std::vector<VertexPair>& edges)
 /// Forces the edge in. Requires that no vertex lies strictly between its ends.
 void TriangulationBuilder::InsertEdge(VertexId from, VertexId to) {
   if (MarkIfPresent(from, to)) return;
-  std::deque<VertexPair> crossings;
-  CollectCrossings(from, to, crossings);
-  const std::vector<VertexPair> created = FlipAway(from, to, std::move(crossings));
+  Channel channel = CollectCrossings(from, to);
+  FlipAway(channel);
   TAUTLINE_CHECK(MarkIfPresent(from, to));
-  RestoreDelaunay(created);
+  RestoreDelaunay(std::move(channel.created));
 }
 
 }  // namespace tautline

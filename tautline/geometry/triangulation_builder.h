@@ -2,7 +2,7 @@
 #ifndef TAUTLINE_GEOMETRY_TRIANGULATION_BUILDER_H_
 #define TAUTLINE_GEOMETRY_TRIANGULATION_BUILDER_H_
 
-#include <deque>
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
@@ -25,7 +25,30 @@ class TriangulationBuilder {
     TriangleId triangle;
     int index;
   };
+  /// A walk around a vertex; `at` is invalid after its end.
+  struct FanWalk {
+    VertexId vertex;
+    TriangleId first, at;
+    int index;  ///< Of the vertex in `at`.
+    bool clockwise;
+  };
   using VertexPair = std::pair<VertexId, VertexId>;
+  /// The edges in the way of a segment, linked in its direction. A crossing that is gone still leads on to the rest.
+  struct Channel {
+    static constexpr std::size_t kEnd = static_cast<std::size_t>(-1);
+    struct Crossing {
+      VertexId right, left;  ///< The ends of the edge, seen along the segment.
+      std::size_t before = kEnd, after = kEnd;
+      bool gone = false;
+    };
+    VertexId from, to;
+    std::vector<Crossing> crossings;
+    std::size_t first = kEnd;
+    std::vector<VertexPair> created;  ///< By flips, and clear of the segment.
+
+    void Add(VertexId right, VertexId left);
+    void Remove(std::size_t at);
+  };
 
   Triangle& At(TriangleId id) { return mesh_.triangles_[id.index()]; }
   Point PointOf(VertexId id) const { return mesh_.points_[id.index()]; }
@@ -44,12 +67,15 @@ class TriangulationBuilder {
   void InsertEdge(VertexId from, VertexId to);
   bool MarkIfPresent(VertexId from, VertexId to);
   VertexId FirstVertexAlong(VertexId from, VertexId to);
-  void CollectCrossings(VertexId from, VertexId to, std::deque<VertexPair>& crossings);
-  std::vector<VertexPair> FlipAway(VertexId from, VertexId to, std::deque<VertexPair> crossings);
-  void RestoreDelaunay(const std::vector<VertexPair>& edges);
+  Channel CollectCrossings(VertexId from, VertexId to);
+  bool FlipCrossing(std::size_t at, bool must_clear, Channel& channel);
+  void FlipAway(Channel& channel);
+  void RestoreDelaunay(std::vector<VertexPair> pending);
   Side FindEdge(VertexId from, VertexId to);
   Side FirstCrossing(VertexId from, VertexId to);
 
+  FanWalk FanOf(VertexId vertex);
+  void Advance(FanWalk& walk);
   template <class Visit>
   void ForEachInFan(VertexId vertex, Visit visit);
 

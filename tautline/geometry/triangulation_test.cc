@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "tautline/base/rng.h"
+#include "tautline/base/test_scale.h"
 #include "tautline/geometry/predicates.h"
 
 namespace tautline {
@@ -92,7 +95,8 @@ std::set<std::pair<Point, Point>> CgalConstrainedEdges(const Graph& graph) {
 }
 
 TEST(Triangulation, AgreesWithCgalOnRandomGraphs) {
-  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+  const auto count = static_cast<std::uint64_t>(ScaledTestCount(3000));
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     const Graph graph = RandomGraph(rng);
@@ -129,6 +133,22 @@ TEST(Triangulation, SplitsAnEdgeThatPassesThroughPoints) {
   const std::vector<VertexId> expected{VertexId(0), VertexId(1), VertexId(2), VertexId(3)};
   const auto chain = mesh.ChainOf(0);
   EXPECT_TRUE(std::equal(chain.begin(), chain.end(), expected.begin(), expected.end()));
+}
+
+TEST(Triangulation, ACircleInABoxTakesTimeInProportion) {
+  // Each corner of the frame sees a quarter of the circle, across an edge of the box: a walk around its fan for every
+  // edge to flip would take minutes.
+  constexpr int kPoints = 400000;
+  std::vector<Point> points{{-101, -101}, {101, -101}, {101, 101}, {-101, 101}};
+  std::vector<InputEdge> edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kPoints;
+    points.push_back(100 * Point{std::cos(angle), std::sin(angle)});
+    edges.emplace_back(4 + i, 4 + (i + 1) % kPoints);
+  }
+  const Triangulation mesh = Triangulation::Build(points, edges);
+  ExpectConsistent(mesh);
+  EXPECT_EQ(ConstrainedEdges(mesh).size(), edges.size());
 }
 
 TEST(Triangulation, RefusesProperlyCrossingEdges) {
