@@ -64,7 +64,7 @@ Expected<Found> Find(const TetherPlanner& planner, const ClassesQuestion& questi
   }
   if (!goal) return Found{{}, "goal_blocked", ExplainBlocked(space, "the goal", *question.to)};
   if (!space.mesh().Connected(socket->exit, *goal)) {
-    return Found{{}, "goal_unreachable", ExplainUnreachable(*question.to)};
+    return Found{{}, "goal_unreachable", ExplainApart("the goal", *question.to, "the start")};
   }
   if (question.word) return FindWord(planner, *socket, *goal, question);
   Found found{planner.TethersTo(*socket, Walk(socket->exit), *goal, question.options), "", ""};

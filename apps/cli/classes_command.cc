@@ -10,6 +10,7 @@
 #include "apps/cli/option_checks.h"
 #include "apps/cli/point_option.h"
 #include "tautline/draw/draw_classes.h"
+#include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
 namespace {

@@ -9,6 +9,7 @@
 #include "apps/cli/describe.h"
 #include "apps/cli/option_checks.h"
 #include "tautline/draw/draw_plan.h"
+#include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
 namespace {

@@ -56,10 +56,10 @@ ReachPoint AskAt(const TetherPlanner& planner, const Socket& socket, double limi
   asked.least_tether = ShortestTether(space, socket, *place);
   if (!asked.least_tether) {
     asked.obstruction = PlanObstruction::kGoalUnreachable;
-    asked.explanation = ExplainApart(asked.point);
+    asked.explanation = ExplainApart("the point", asked.point, "the base");
     return asked;
   }
-  if (asked.least_tether->length > limit * (1 + kTetherTolerance)) {
+  if (asked.least_tether->length > limit * (1 + kLengthTolerance)) {
     asked.obstruction = PlanObstruction::kTetherTooShort;
     asked.explanation = ExplainOutOfReach(asked.point, asked.least_tether->length, limit);
   }
@@ -81,7 +81,7 @@ ReachResult Reach(const TetherPlanner& planner, const Tether& tether, const Reac
     return result;
   }
   const Socket& socket = *result.socket;
-  if (socket.stub_length > tether.length * (1 + kTetherTolerance)) {
+  if (socket.stub_length > tether.length * (1 + kLengthTolerance)) {
     result.obstruction = PlanObstruction::kTetherTooShort;
     result.explanation = ExplainShortInSocket(socket.stub_length, tether.length);
     return result;

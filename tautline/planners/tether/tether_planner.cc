@@ -120,7 +120,7 @@ ClassList TetherPlanner::TethersTo(const Socket& socket, const Walk& root, Place
   ClassOptions from_exit = options;
   // The tolerance is a share of the whole tether, also where FindClasses sees only a part of it.
   if (options.max_length) {
-    from_exit.max_length = *options.max_length - socket.stub_length / (1 + kTetherTolerance);
+    from_exit.max_length = *options.max_length - socket.stub_length / (1 + kLengthTolerance);
   }
   ClassList list = FindClassesOnward(*space_, root, goal, from_exit);
   if (socket.stub_length == 0) return list;
@@ -154,7 +154,7 @@ void TetherPlanner::ListAll(const LaidCable& laid, Place goal, const PlanOptions
 /// The best motion, and the shorter one that the tether forbids. Requires that a motion exists.
 void TetherPlanner::Choose(const LaidCable& laid, const Polyline& direct, const GoalDistances& field,
                            const PlanOptions& options, PlanResult& result) const {
-  const double limit = result.limit * (1 + kTetherTolerance);
+  const double limit = result.limit * (1 + kLengthTolerance);
   Motion shortest = MotionAlong(laid, direct);
   if (shortest.tether.length <= limit) {
     result.motion = std::move(shortest);
@@ -228,7 +228,7 @@ PlanResult TetherPlanner::Decide(const PreparedStart& start, const PreparedGoal&
 
 void TetherPlanner::Decide(const PreparedStart& start, const PreparedGoal& goal, const PlanOptions& options,
                            PlanResult& result) const {
-  const double limit = result.limit * (1 + kTetherTolerance);
+  const double limit = result.limit * (1 + kLengthTolerance);
   if (!goal.place_) {
     return SetInfeasible(PlanObstruction::kGoalBlocked, ExplainBlocked(*space_, "the goal", goal.point_), result);
   }
@@ -239,7 +239,7 @@ void TetherPlanner::Decide(const PreparedStart& start, const PreparedGoal& goal,
   const LaidCable& laid = *start.laid_;
   result.start = start.taut_;
   const auto unreachable = [&] {
-    SetInfeasible(PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal.point_), result);
+    SetInfeasible(PlanObstruction::kGoalUnreachable, ExplainApart("the goal", goal.point_, "the robot"), result);
   };
   if (!space_->mesh().Connected(laid.robot(), *goal.place_)) return unreachable();
 

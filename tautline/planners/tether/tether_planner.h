@@ -13,10 +13,6 @@
 
 namespace tautline {
 
-/// A tether length may be exceeded by this share of itself: rounding of sums must not forbid a tether that fits
-/// exactly.
-inline constexpr double kTetherTolerance = 1e-9;
-
 /// The laid cable in the prepared space: where it starts, how it runs, where the robot stands.
 struct LaidCable {
   /// Where it enters the free space.

@@ -10,9 +10,6 @@
 namespace tautline {
 namespace {
 
-/// Relative agreement of lengths that were summed in different orders.
-constexpr double kLengthTolerance = 1e-9;
-
 template <class Visit>
 void ForEachRing(const FreeSpace& space, Visit visit) {
   for (const FreeComponent& component : space.components) {
@@ -153,7 +150,7 @@ class Verifier {
     if (CountedWord(space_, motion.tether.points) != expected) {
       Fault(name + "'s tether is not in the class that the path leaves behind");
     }
-    if (must_fit && motion.tether.length > result_.limit * (1 + kTetherTolerance)) {
+    if (must_fit && motion.tether.length > result_.limit * (1 + kLengthTolerance)) {
       Fault(name + "'s tether is too long");
     }
   }
@@ -193,7 +190,7 @@ class Verifier {
     if (CountedWord(space_, tether.points) != CountedWord(space_, passed)) {
       Fault("the tether on the way is not in the class of the path so far");
     }
-    if (tether.length > result_.limit * (1 + kTetherTolerance)) Fault("the tether is too long on the way");
+    if (tether.length > result_.limit * (1 + kLengthTolerance)) Fault("the tether is too long on the way");
   }
 
   void CheckShortestTether(bool has_stub) {
