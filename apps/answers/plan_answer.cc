@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
-#include "apps/answers/required_parts.h"
 #include "apps/answers/verification.h"
 #include "tautline/planners/tether/verify_plan.h"
+#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 namespace {
@@ -58,7 +58,7 @@ Json ToJson(const PlanResult& result, bool all, const FreeSpace& space) {
 }  // namespace
 
 Expected<PlanAnswer> AnswerPlan(const Scene& scene, const PlanQuestion& question) {
-  if (const auto missing = MissingTetherOrGoal(scene)) return tl::unexpected(*missing);
+  if (const auto checked = RequireTetherAndGoal(scene); !checked) return tl::unexpected(checked.error());
   auto planner = TetherPlanner::Prepare(scene.world);
   if (!planner) return tl::unexpected(planner.error());
   PlanAnswer answer{.planner = std::move(*planner)};

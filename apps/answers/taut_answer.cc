@@ -3,10 +3,10 @@
 #include <utility>
 #include <vector>
 
-#include "apps/answers/required_parts.h"
 #include "apps/answers/verification.h"
 #include "tautline/planners/tether/explain.h"
 #include "tautline/planners/tether/verify_plan.h"
+#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 namespace {
@@ -57,7 +57,7 @@ std::vector<std::string> Faults(const Pulled& pulled, const TautSpace& space, co
 }  // namespace
 
 Expected<TautAnswer> AnswerTaut(const Scene& scene, const TautQuestion& question) {
-  if (const auto missing = MissingTether(scene)) return tl::unexpected(*missing);
+  if (const auto checked = RequireTether(scene); !checked) return tl::unexpected(checked.error());
   const Tether& tether = *scene.tether;
   if (!tether.laid) {
     return InvalidInput("the tether has no laid cable; add `laid: [[x, y], ...]`, base first, robot last", scene.path);

@@ -9,6 +9,7 @@
 #include "tautline/homotopy/goal_field.h"
 #include "tautline/planners/tether/class_choice.h"
 #include "tautline/planners/tether/explain.h"
+#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 namespace {
@@ -77,6 +78,7 @@ Expected<TetherPlanner> TetherPlanner::Prepare(const World& world, const Prepare
 }
 
 tl::expected<LaidCable, LaidCableFault> TetherPlanner::FollowLaidCable(const Tether& tether) const {
+  TAUTLINE_CHECK(CheckTether(tether, space_->free_space().box));
   const bool has_cable = tether.laid && tether.laid->size() > 1;
   const Point robot = has_cable ? tether.laid->back() : tether.base;
   const auto socket = FindSocket(*space_, ungrown(), tether.base);
@@ -194,19 +196,24 @@ PreparedStart TetherPlanner::PrepareStart(const Tether& tether) const {
   return start;
 }
 
+PreparedGoal TetherPlanner::GoalAt(Point goal) const {
+  TAUTLINE_CHECK(CheckGoal(goal));
+  return PreparedGoal(goal, space_->Locate(goal));
+}
+
 PreparedGoal TetherPlanner::PrepareGoal(Point goal) const {
-  PreparedGoal prepared(goal, space_->Locate(goal));
+  PreparedGoal prepared = GoalAt(goal);
   if (prepared.place_)
     prepared.field_.emplace(*space_, *prepared.place_).GrowTo(std::numeric_limits<double>::infinity());
   return prepared;
 }
 
 PlanResult TetherPlanner::Plan(const Tether& tether, Point goal, const PlanOptions& options) const {
-  return Decide(StartOf(tether), PreparedGoal(goal, space_->Locate(goal)), options);
+  return Decide(StartOf(tether), GoalAt(goal), options);
 }
 
 PlanResult TetherPlanner::Plan(const PreparedStart& start, Point goal, const PlanOptions& options) const {
-  return Decide(start, PreparedGoal(goal, space_->Locate(goal)), options);
+  return Decide(start, GoalAt(goal), options);
 }
 
 PlanResult TetherPlanner::Plan(const Tether& tether, const PreparedGoal& goal, const PlanOptions& options) const {

@@ -85,6 +85,8 @@ struct PrepareOptions {
 };
 
 /// Plans in one world for many tethers and goals. Immutable after preparation; queries may run in several threads.
+/// Requires tethers that CheckTether accepts and goals that CheckGoal accepts: anything else throws std::logic_error,
+/// as broken invariants do.
 class TetherPlanner {
  public:
   /// Builds free space and graph: the costly part of planning. Errors: as BuildFreeSpace; kStopped when `watch` said
@@ -137,6 +139,7 @@ class TetherPlanner {
   TetherPlanner() = default;
 
   PreparedStart StartOf(const Tether& tether) const;
+  PreparedGoal GoalAt(Point goal) const;
   PlanResult Decide(const PreparedStart& start, const PreparedGoal& goal, const PlanOptions& options) const;
   void Decide(const PreparedStart& start, const PreparedGoal& goal, const PlanOptions& options,
               PlanResult& result) const;
