@@ -95,13 +95,14 @@ bool IsTouchingPoint(const TautSpace& space, Point p) {
 }
 
 /// Every path is taut and free and no two are of one class.
-std::vector<std::string> Faults(const Found& found, const TautSpace& space, const ClassesQuestion& question) {
+std::vector<std::string> Faults(const Found& found, const TetherPlanner& planner, const ClassesQuestion& question) {
+  const TautSpace& space = planner.space();
   std::vector<std::string> faults;
   std::set<Word> words;
-  const bool has_stub = !space.Locate(*question.from);
+  const FreeSpace* stub_space = space.Locate(*question.from) ? nullptr : &planner.ungrown_space();
   const bool words_tell = !IsTouchingPoint(space, *question.from) && !IsTouchingPoint(space, *question.to);
   for (const TautPath& path : found.list.classes) {
-    for (const std::string& fault : CurveFaults(space.free_space(), path, has_stub)) {
+    for (const std::string& fault : CurveFaults(space.free_space(), path, stub_space)) {
       faults.push_back("a class's path " + fault);
     }
     if (!words.insert(path.word).second && words_tell) faults.emplace_back("a class is listed twice");
@@ -124,7 +125,7 @@ Expected<ClassesAnswer> AnswerClasses(const Scene& scene, const ClassesQuestion&
   answer.status = found->reason.empty() && !found->list.budget_exceeded ? kExitSolved : kExitInfeasible;
   if (MustVerify(question.verify)) {
     const int curves = static_cast<int>(found->list.classes.size());
-    answer.verified_curves = ReportVerification(Faults(*found, space, answer.question), curves, answer.json);
+    answer.verified_curves = ReportVerification(Faults(*found, answer.planner, answer.question), curves, answer.json);
   }
   answer.list = std::move(found->list);
   answer.explanation = std::move(found->explanation);

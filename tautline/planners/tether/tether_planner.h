@@ -122,6 +122,8 @@ class TetherPlanner {
 
   /// The free space with clearance, prepared for taut curves.
   const TautSpace& space() const { return *space_; }
+  /// The free space without clearance; that of `space` where there is none.
+  const FreeSpace& ungrown_space() const { return ungrown_ ? ungrown_->space : space_->free_space(); }
   /// The free mesh without clearance: what a socket's stub may cross.
   const FreeMesh& ungrown() const { return ungrown_ ? ungrown_->mesh : space_->mesh(); }
 
