@@ -41,6 +41,20 @@ struct Found {
   std::string explanation;
 };
 
+/// The shortest path of a word among those that leave and arrive in any sector: where obstacles touch, one sector may
+/// have a class that another one lacks.
+std::optional<TautPath> FindInAnySector(const TautSpace& space, Place from, Place to, const Word& word) {
+  std::optional<TautPath> shortest;
+  for (const Place& start : space.mesh().Sectors(from)) {
+    for (const Place& end : space.mesh().Sectors(to)) {
+      if (space.mesh().ComponentOf(start.triangle) != space.mesh().ComponentOf(end.triangle)) continue;
+      auto path = FindWordPath(space, start, end, word);
+      if (path && (!shortest || path->length < shortest->length)) shortest = std::move(path);
+    }
+  }
+  return shortest;
+}
+
 /// The one class of a word. Errors: a name that no obstacle has.
 Expected<Found> FindWord(const TetherPlanner& planner, const Socket& socket, Place goal,
                          const ClassesQuestion& question) {
@@ -49,7 +63,7 @@ Expected<Found> FindWord(const TetherPlanner& planner, const Socket& socket, Pla
   // The word counts from the start on; the stub of a socket has written some of it when the walk begins.
   const Point stub[] = {socket.base, socket.exit.point};
   const Word from_exit = planner.space().rays().WordOf(stub).Inverse() * *word;
-  auto path = FindWordPath(planner.space(), socket.exit, goal, from_exit);
+  auto path = FindInAnySector(planner.space(), socket.exit, goal, from_exit);
   if (!path) return Found{{}, "no_such_class", "no path between these points has the word '" + *question.word + "'"};
   if (socket.stub_length > 0) path->points.insert(path->points.begin(), socket.base);
   return Found{{{planner.space().MakePath(std::move(path->points))}, true, false}, "", ""};
