@@ -19,7 +19,7 @@ std::optional<double> ParseNumber(std::string_view text);
 std::string FormatNumber(double value);
 
 /// A number for people: four decimals, or below 1 six digits, without trailing zeros: "74.3412", "1234.5678",
-/// "0.0117766". What is nearer to 0 than 1e-9 is "0", as coordinates that rounding has left there. Requires a finite one.
+/// "0.0117766". What is nearer to 0 than 1e-9 is "0", as coordinates that rounding leaves them. Requires a finite one.
 std::string ShortNumber(double value);
 
 /// "12.34 m", by ShortNumber.
