@@ -58,7 +58,7 @@ format-check: packages-ci  ## fail if a source is not formatted
 .PHONY: tidy
 tidy: packages-ci  ## run clang-tidy over all sources but the tests
 	cmake --preset release
-	run-clang-tidy-14 -quiet -j $(JOBS) -p build/release '/(tautline|apps|docs|examples)/(?!.*_test\.cc$$).*\.cc$$'
+	run-clang-tidy-14 -quiet -j $(JOBS) -p build/release '^$(CURDIR)/(tautline|apps|docs|examples)/(?!.*_test\.cc$$).*\.cc$$'
 
 .PHONY: fuzz
 fuzz: packages-ci  ## run each fuzz target for FUZZ_SECONDS, FUZZ_JOBS at a time

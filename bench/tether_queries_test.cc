@@ -20,7 +20,7 @@ TEST(BindingTetherQueries, AllBindAndCanBeSolved) {
     ASSERT_EQ(result.status, PlanStatus::kSolved);
     ASSERT_TRUE(result.rejected);
     EXPECT_GT(result.rejected->tether.length, query.tether.length);
-    EXPECT_LE(result.motion->tether.length, query.tether.length * (1 + kTetherTolerance));
+    EXPECT_LE(result.motion->tether.length, query.tether.length * (1 + kLengthTolerance));
     EXPECT_GT(query.tether.laid->size(), 1U);
   }
 }
@@ -34,7 +34,7 @@ TEST(RandomTetherQueries, LieInMoreThanTheShortestClassAndCanBeSolved) {
   ASSERT_EQ(queries.size(), 50U);
   std::size_t binding = 0;
   for (const TetherQuery& query : queries) {
-    EXPECT_LE(Length(*query.tether.laid), query.tether.length * (1 + kTetherTolerance));
+    EXPECT_LE(Length(*query.tether.laid), query.tether.length * (1 + kLengthTolerance));
     const PlanResult result = planner.Plan(query.tether, query.goal);
     ASSERT_EQ(result.status, PlanStatus::kSolved);
     if (result.rejected) ++binding;

@@ -41,6 +41,20 @@ struct Found {
   std::string explanation;
 };
 
+/// The shortest path of a word among those that leave and arrive in any sector: where obstacles touch, one sector may
+/// have a class that another one lacks.
+std::optional<TautPath> FindInAnySector(const TautSpace& space, Place from, Place to, const Word& word) {
+  std::optional<TautPath> shortest;
+  for (const Place& start : space.mesh().Sectors(from)) {
+    for (const Place& end : space.mesh().Sectors(to)) {
+      if (space.mesh().ComponentOf(start.triangle) != space.mesh().ComponentOf(end.triangle)) continue;
+      auto path = FindWordPath(space, start, end, word);
+      if (path && (!shortest || path->length < shortest->length)) shortest = std::move(path);
+    }
+  }
+  return shortest;
+}
+
 /// The one class of a word. Errors: a name that no obstacle has.
 Expected<Found> FindWord(const TetherPlanner& planner, const Socket& socket, Place goal,
                          const ClassesQuestion& question) {
@@ -49,7 +63,7 @@ Expected<Found> FindWord(const TetherPlanner& planner, const Socket& socket, Pla
   // The word counts from the start on; the stub of a socket has written some of it when the walk begins.
   const Point stub[] = {socket.base, socket.exit.point};
   const Word from_exit = planner.space().rays().WordOf(stub).Inverse() * *word;
-  auto path = FindWordPath(planner.space(), socket.exit, goal, from_exit);
+  auto path = FindInAnySector(planner.space(), socket.exit, goal, from_exit);
   if (!path) return Found{{}, "no_such_class", "no path between these points has the word '" + *question.word + "'"};
   if (socket.stub_length > 0) path->points.insert(path->points.begin(), socket.base);
   return Found{{{planner.space().MakePath(std::move(path->points))}, true, false}, "", ""};
@@ -64,7 +78,7 @@ Expected<Found> Find(const TetherPlanner& planner, const ClassesQuestion& questi
   }
   if (!goal) return Found{{}, "goal_blocked", ExplainBlocked(space, "the goal", *question.to)};
   if (!space.mesh().Connected(socket->exit, *goal)) {
-    return Found{{}, "goal_unreachable", ExplainUnreachable(*question.to)};
+    return Found{{}, "goal_unreachable", ExplainApart("the goal", *question.to, "the start")};
   }
   if (question.word) return FindWord(planner, *socket, *goal, question);
   Found found{planner.TethersTo(*socket, Walk(socket->exit), *goal, question.options), "", ""};
@@ -95,13 +109,14 @@ bool IsTouchingPoint(const TautSpace& space, Point p) {
 }
 
 /// Every path is taut and free and no two are of one class.
-std::vector<std::string> Faults(const Found& found, const TautSpace& space, const ClassesQuestion& question) {
+std::vector<std::string> Faults(const Found& found, const TetherPlanner& planner, const ClassesQuestion& question) {
+  const TautSpace& space = planner.space();
   std::vector<std::string> faults;
   std::set<Word> words;
-  const bool has_stub = !space.Locate(*question.from);
+  const FreeSpace* stub_space = space.Locate(*question.from) ? nullptr : &planner.ungrown_space();
   const bool words_tell = !IsTouchingPoint(space, *question.from) && !IsTouchingPoint(space, *question.to);
   for (const TautPath& path : found.list.classes) {
-    for (const std::string& fault : CurveFaults(space.free_space(), path, has_stub)) {
+    for (const std::string& fault : CurveFaults(space.free_space(), path, stub_space)) {
       faults.push_back("a class's path " + fault);
     }
     if (!words.insert(path.word).second && words_tell) faults.emplace_back("a class is listed twice");
@@ -124,7 +139,7 @@ Expected<ClassesAnswer> AnswerClasses(const Scene& scene, const ClassesQuestion&
   answer.status = found->reason.empty() && !found->list.budget_exceeded ? kExitSolved : kExitInfeasible;
   if (MustVerify(question.verify)) {
     const int curves = static_cast<int>(found->list.classes.size());
-    answer.verified_curves = ReportVerification(Faults(*found, space, answer.question), curves, answer.json);
+    answer.verified_curves = ReportVerification(Faults(*found, answer.planner, answer.question), curves, answer.json);
   }
   answer.list = std::move(found->list);
   answer.explanation = std::move(found->explanation);

@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
-#include "apps/answers/required_parts.h"
 #include "apps/answers/verification.h"
 #include "tautline/planners/tether/verify_plan.h"
+#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 namespace {
@@ -57,7 +57,7 @@ Json PlanJson(const PlanResult& result, bool all, const JsonValues& values) {
 }
 
 Expected<PlanAnswer> AnswerPlan(const Scene& scene, const PlanQuestion& question) {
-  if (const auto missing = MissingTetherOrGoal(scene)) return tl::unexpected(*missing);
+  if (const auto checked = RequireTetherAndGoal(scene); !checked) return tl::unexpected(checked.error());
   auto planner = PreparePlanner(scene, question.preparation);
   if (!planner) return tl::unexpected(planner.error());
   PlanAnswer answer{.planner = std::move(*planner)};

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
-#include "apps/answers/required_parts.h"
 #include "apps/answers/verification.h"
 #include "tautline/planners/tether/explain.h"
 #include "tautline/planners/tether/verify_plan.h"
+#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 namespace {
@@ -67,7 +67,7 @@ std::vector<CheckedRow> RunRows(int rows, const std::function<CheckedRow(int row
 }
 
 Expected<PlanFieldAnswer> AnswerPlanField(const Scene& scene, const PlanFieldQuestion& question) {
-  if (const auto missing = MissingTetherOrGoal(scene)) return tl::unexpected(*missing);
+  if (const auto checked = RequireTetherAndGoal(scene); !checked) return tl::unexpected(checked.error());
   auto planner = PreparePlanner(scene, question.preparation);
   if (!planner) return tl::unexpected(planner.error());
   PlanFieldAnswer answer{.planner = std::make_unique<const TetherPlanner>(std::move(*planner))};

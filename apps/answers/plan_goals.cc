@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "apps/answers/required_parts.h"
 #include "apps/answers/verification.h"
 #include "tautline/planners/tether/verify_plan.h"
+#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 
@@ -16,7 +16,7 @@ PlanGoals::PlanGoals(TetherPlanner planner, const Tether& tether, const PlanQues
       verify_(MustVerify(question.verify)) {}
 
 Expected<PlanGoals> PlanGoals::Prepare(const Scene& scene, const PlanQuestion& question) {
-  if (const auto missing = MissingTether(scene)) return tl::unexpected(*missing);
+  if (const auto checked = RequireTether(scene); !checked) return tl::unexpected(checked.error());
   auto planner = PreparePlanner(scene, question.preparation);
   if (!planner) return tl::unexpected(planner.error());
   return PlanGoals(std::move(*planner), *scene.tether, question);

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "apps/answers/required_parts.h"
 #include "apps/answers/verification.h"
 #include "tautline/planners/tether/verify_reach.h"
+#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 namespace {
@@ -104,7 +104,7 @@ Json ToJson(const ReachResult& result, const FreeSpace& space) {
 }  // namespace
 
 Expected<ReachAnswer> AnswerReach(const Scene& scene, const ReachQuestion& question) {
-  if (const auto missing = MissingTether(scene)) return tl::unexpected(*missing);
+  if (const auto checked = RequireTether(scene); !checked) return tl::unexpected(checked.error());
   auto planner = PreparePlanner(scene, question.preparation);
   if (!planner) return tl::unexpected(planner.error());
   ReachAnswer answer{*std::move(planner), {}, {}};

@@ -3,29 +3,30 @@
 #include <utility>
 #include <vector>
 
-#include "apps/answers/required_parts.h"
 #include "apps/answers/verification.h"
 #include "tautline/planners/tether/explain.h"
 #include "tautline/planners/tether/verify_plan.h"
+#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 namespace {
 
 /// The taut curve, or why the cable cannot lie as it is said to.
 struct Pulled {
+  tl::expected<LaidCable, LaidCableFault> laid;
   TautPath taut;
-  bool has_stub = false;
   std::string reason;
   std::string explanation;
 };
 
 Pulled Pull(const TetherPlanner& planner, const Tether& tether) {
-  const auto laid = planner.FollowLaidCable(tether);
+  auto laid = planner.FollowLaidCable(tether);
   if (!laid) {
-    const LaidCableFault& fault = laid.error();
-    return {{}, false, ToString(fault.obstruction), ExplainLaidCable(planner.space(), fault.obstruction, fault.at)};
+    const LaidCableFault fault = laid.error();
+    return {laid, {}, ToString(fault.obstruction), ExplainLaidCable(planner.space(), fault.obstruction, fault.at)};
   }
-  return {planner.TetherAlong(laid->socket, laid->walk), laid->socket.stub_length > 0, "", ""};
+  TautPath taut = planner.TetherAlong(laid->socket, laid->walk);
+  return {std::move(laid), std::move(taut), "", ""};
 }
 
 Json ToJson(const Pulled& pulled, const FreeSpace& space) {
@@ -46,18 +47,17 @@ Json ToJson(const Pulled& pulled, const FreeSpace& space) {
   return json;
 }
 
-std::vector<std::string> Faults(const Pulled& pulled, const TautSpace& space, const Tether& tether) {
-  std::vector<std::string> faults = CurveFaults(space.free_space(), pulled.taut, pulled.has_stub);
-  if (!pulled.has_stub && space.rays().WordOf(*tether.laid) != pulled.taut.word) {
-    faults.emplace_back("the taut curve is not in the class of the laid cable");
-  }
+std::vector<std::string> Faults(const Pulled& pulled, const TetherPlanner& planner, const Tether& tether) {
+  if (!pulled.laid) return BlockedFaults(planner, tether, pulled.laid.error().obstruction);
+  std::vector<std::string> faults = LaidCableFaults(planner, tether, *pulled.laid, pulled.taut);
+  for (std::string& fault : faults) fault.insert(0, "the taut curve ");
   return faults;
 }
 
 }  // namespace
 
 Expected<TautAnswer> AnswerTaut(const Scene& scene, const TautQuestion& question) {
-  if (const auto missing = MissingTether(scene)) return tl::unexpected(*missing);
+  if (const auto checked = RequireTether(scene); !checked) return tl::unexpected(checked.error());
   const Tether& tether = *scene.tether;
   if (!tether.laid) {
     return InvalidInput("the tether has no laid cable; add `laid: [[x, y], ...]`, base first, robot last", scene.path);
@@ -68,8 +68,9 @@ Expected<TautAnswer> AnswerTaut(const Scene& scene, const TautQuestion& question
   Pulled pulled = Pull(answer.planner, tether);
   answer.json = ToJson(pulled, answer.planner.space().free_space());
   answer.status = pulled.reason.empty() ? kExitSolved : kExitInfeasible;
-  if (MustVerify(question.verify) && pulled.reason.empty()) {
-    answer.verified_curves = ReportVerification(Faults(pulled, answer.planner.space(), tether), 1, answer.json);
+  if (MustVerify(question.verify)) {
+    const int curves = pulled.laid ? 1 : 0;
+    answer.verified_curves = ReportVerification(Faults(pulled, answer.planner, tether), curves, answer.json);
   }
   answer.taut = std::move(pulled.taut);
   answer.explanation = std::move(pulled.explanation);

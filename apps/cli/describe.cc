@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
 namespace {
@@ -10,14 +10,7 @@ namespace {
 /// Points shown before a long list is cut.
 constexpr std::size_t kMostPoints = 12;
 
-std::string Number(double value) {
-  const double rounded = std::fabs(value) < 1e9 ? std::round(value * 1e4) / 1e4 : value;
-  return fmt::format("{:.12g}", rounded + 0.0);
-}
-
 }  // namespace
-
-std::string Metres(double value) { return Number(value) + " m"; }
 
 std::string Describe(std::span<const Point> points) {
   std::string text;
@@ -27,7 +20,7 @@ std::string Describe(std::span<const Point> points) {
       text += fmt::format(" ... {} more ...", points.size() - kMostPoints);
       i = points.size() - 3;
     }
-    text += fmt::format("{}({}, {})", i == 0 ? "" : " ", Number(points[i].x), Number(points[i].y));
+    text += fmt::format("{}({}, {})", i == 0 ? "" : " ", ShortNumber(points[i].x), ShortNumber(points[i].y));
   }
   return text;
 }

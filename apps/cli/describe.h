@@ -11,10 +11,7 @@
 
 namespace tautline::cli {
 
-/// "12.34 m": four significant decimals at most, without trailing zeros.
-std::string Metres(double value);
-
-/// "(1, 2) (3.5, 4) ...": points to millimetres; long lists are cut in the middle.
+/// "(1, 2) (3.5, 4) ...": numbers by ShortNumber; long lists are cut in the middle.
 std::string Describe(std::span<const Point> points);
 
 /// "'a b^-1'", or "'' (the empty word)".

@@ -32,6 +32,13 @@ std::string WhatIsWrong(const CLI::App& app, const CLI::ParseError& error) {
   return what + "; see `" + command + " --help`";
 }
 
+/// "plan, reach and show". Requires two commands or more.
+std::string NamesOf(const std::vector<CLI::App*>& commands) {
+  std::string names = commands[0]->get_name();
+  for (std::size_t i = 1; i + 1 < commands.size(); ++i) names += ", " + commands[i]->get_name();
+  return names + " and " + commands.back()->get_name();
+}
+
 int Main(int argc, char** argv) {
   HandleSignals();
   CLI::App app;
@@ -39,7 +46,7 @@ int Main(int argc, char** argv) {
   const auto commands = app.get_subcommands({});
   const auto is_called = [&](const CLI::App* command) { return command->check_name(argv[1]); };
   if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_called)) {
-    return Complain("there is no command '" + std::string(argv[1]) + "'; there are plan, reach, classes, taut and show",
+    return Complain("there is no command '" + std::string(argv[1]) + "'; there are " + NamesOf(commands),
                     kExitBadInput);
   }
   try {

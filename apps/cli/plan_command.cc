@@ -15,6 +15,7 @@
 #include "apps/cli/progress_bar.h"
 #include "tautline/draw/draw_plan.h"
 #include "tautline/planners/tether/prepared_file.h"
+#include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
 namespace {

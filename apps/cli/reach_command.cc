@@ -14,6 +14,7 @@
 #include "apps/cli/prepared_options.h"
 #include "tautline/draw/draw_reach.h"
 #include "tautline/planners/tether/prepared_file.h"
+#include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
 namespace {

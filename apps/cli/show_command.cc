@@ -9,6 +9,7 @@
 #include "apps/cli/common_options.h"
 #include "apps/cli/describe.h"
 #include "tautline/draw/draw_show.h"
+#include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
 namespace {

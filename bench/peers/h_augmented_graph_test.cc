@@ -74,7 +74,7 @@ TEST(HAugmentedGraph, FindsTheShortestClasses) {
 bool ExpectSameMotion(const TetherPlanner& planner, const HAugmentedGraph& graph, const TetherQuery& query) {
   const PlanResult result = planner.Plan(query.tether, query.goal);
   auto cover = graph.MakeCover(graph.Connect(query.tether.base), graph.Connect(query.goal),
-                               {.max_length = query.tether.length * (1 + kTetherTolerance), .max_states = 300'000});
+                               {.max_length = query.tether.length * (1 + kLengthTolerance), .max_states = 300'000});
   if (cover.gave_up) return false;
   const PeerMotion motion = graph.Plan(
       cover, {graph.Connect(query.tether.laid->back()), planner.space().rays().WordOf(*query.tether.laid)}, {});

@@ -33,9 +33,6 @@ int main(int argc, char** argv) {
   }
   auto map = tautline::ReadMapFile(argv[1]);
   if (!map) return Complain(ToString(map.error()));
-  for (std::size_t i = 0; i < map->obstacles.size(); ++i) {
-    if (map->obstacles[i].name.empty()) map->obstacles[i].name = "o" + std::to_string(i + 1);
-  }
   tautline::World world{.outline = std::move(map->outline), .obstacles = std::move(map->obstacles)};
   auto free_space = tautline::BuildFreeSpace(world);
   if (!free_space) return Complain(ToString(free_space.error()));

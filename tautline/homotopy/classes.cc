@@ -11,9 +11,6 @@
 namespace tautline {
 namespace {
 
-/// Lengths that agree this closely, relative to the larger, are equal for limits and for the order of classes.
-constexpr double kLengthTolerance = 1e-9;
-
 /// By how much the radius of a field grows when it was too small: first by this share of itself, then by ever more.
 constexpr double kFirstGrowth = 0.03;
 constexpr double kFasterGrowth = 1.5;

@@ -88,7 +88,8 @@ class StraightWalk {
 
   /// Crosses the side through which the segment leaves the triangle, or stops at a vertex on the way.
   std::optional<Point> LeaveTriangle() {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0;; ++i) {
+      TAUTLINE_CHECK(i < 3);  // A segment that has not arrived leaves by one of the sides.
       const Point a = CornerAt(at_, Next(i)), b = CornerAt(at_, Previous(i));
       if (Orientation(a, b, to_) >= 0) continue;
       const int side_a = Orientation(pivot_, to_, a), side_b = Orientation(pivot_, to_, b);
@@ -101,8 +102,6 @@ class StraightWalk {
       StepTo(mesh_.triangle(at_).neighbour(i));
       return std::nullopt;
     }
-    TAUTLINE_CHECK(false && "a segment that has not arrived leaves its triangle");
-    return pivot_;
   }
 
   Point CrossingPoint(Point a, Point b) const {

@@ -51,6 +51,16 @@ class FreeMesh {
   /// The boundary vertices within `tolerance` of the segment ab, in order from a to b. O(1) expected for each.
   std::vector<VertexId> VerticesNear(Point a, Point b, double tolerance) const;
 
+  /// Calls visit(from, to) for every boundary edge, or part of one, whose place in the index meets the box; free ground
+  /// is on its left. Repeats are possible. O(1) expected for each.
+  template <class Visit>
+  void ForEachBoundaryNear(const Box& box, Visit visit) const {
+    boundary_index_->ForEachNear(box, [&](std::size_t k) {
+      const BoundaryEdge& edge = boundary_[k];
+      visit(mesh_.corner(edge.triangle, Next(edge.index)), mesh_.corner(edge.triangle, Previous(edge.index)));
+    });
+  }
+
   /// The triangle on the left of the edge from one vertex to another. Requires that the mesh has that edge.
   TriangleId LeftOf(VertexId from, VertexId to) const;
 

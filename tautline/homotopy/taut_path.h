@@ -7,6 +7,10 @@
 
 namespace tautline {
 
+/// Lengths that agree this closely, as a share of the larger, are equal: rounding of sums must neither forbid a tether
+/// that fits exactly nor tell lengths apart that were summed in different orders.
+inline constexpr double kLengthTolerance = 1e-9;
+
 /// The one shortest curve of a homotopy class: a polyline that bends only at corners of the free space, around the
 /// obstacle at each of them.
 struct TautPath {

@@ -39,12 +39,8 @@ std::optional<Fault> PolygonFault(const PolygonWithHoles& polygon, bool from_map
   if (auto fault = check(polygon.outer)) return fault;
   for (const Ring& hole : polygon.holes) {
     if (const auto fault = check(hole)) return PartFault(fault, " hole");
-    const auto outside = [&polygon](Point p) { return !ContainsPoint(polygon.outer, p); };
-    if (!from_map && std::any_of(hole.begin(), hole.end(), outside)) {
-      return Fault{" hole does not lie inside the polygon: move it or leave it out"};
-    }
   }
-  return std::nullopt;
+  return from_map ? std::nullopt : HolesFault(polygon);
 }
 
 std::optional<Fault> ObstacleFault(const Obstacle& obstacle) {

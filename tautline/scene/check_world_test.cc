@@ -85,7 +85,8 @@ TEST(CheckWorld, PolygonsAreRings) {
   EXPECT_EQ(ErrorOfWorld([](World& world) { world.obstacles[0].polygon->holes.push_back({}); }),
             "world.obstacles[1] 'pillar'.polygon hole has 0 points: it needs 3 or more");
   EXPECT_EQ(ErrorOfWorld([](World& world) { world.obstacles[0].polygon->holes[0][1].x = 7; }),
-            "world.obstacles[1] 'pillar'.polygon hole does not lie inside the polygon: move it or leave it out");
+            "world.obstacles[1] 'pillar'.polygon hole does not lie inside the polygon, at (7, 4.5): move it or leave "
+            "it out");
   EXPECT_EQ(ErrorOfWorld([](World& world) {
               world.obstacles[0].from_map = true;
               world.obstacles[0].polygon->outer[1].y = kNan;

@@ -9,6 +9,7 @@
 #include "tautline/geometry/snap_rounding.h"
 #include "tautline/geometry/snap_vertices.h"
 #include "tautline/scene/check_world.h"
+#include "tautline/scene/obstacle_naming.h"
 
 namespace tautline {
 namespace {
@@ -73,8 +74,8 @@ double GridSpacing(const std::vector<SourcedRing>& rings, double clearance, doub
   return SnapGrid({box.low - Point{reach, reach}, box.high + Point{reach, reach}}).spacing();
 }
 
-std::string NameOf(const World& world, std::int32_t snap_source) {
-  return snap_source == kWallSource ? "wall" : world.obstacles[static_cast<std::size_t>(snap_source - 1)].name;
+std::string NameOf(const std::vector<std::string>& names, std::int32_t snap_source) {
+  return snap_source == kWallSource ? "wall" : names[static_cast<std::size_t>(snap_source - 1)];
 }
 
 Point RepresentativeOf(const Obstacle& obstacle) {
@@ -85,8 +86,8 @@ Point RepresentativeOf(const Obstacle& obstacle) {
 /// Turns an overlay into components and islands.
 class Assembler {
  public:
-  Assembler(const World& world, Overlay overlay, FreeSpace& space)
-      : world_(world), overlay_(std::move(overlay)), space_(space) {}
+  Assembler(const World& world, const std::vector<std::string>& names, Overlay overlay, FreeSpace& space)
+      : world_(world), names_(names), overlay_(std::move(overlay)), space_(space) {}
 
   void Assemble() {
     CollectIslands();
@@ -102,6 +103,7 @@ class Assembler {
   void MendRepresentatives();
 
   const World& world_;
+  const std::vector<std::string>& names_;  ///< Of the obstacles.
   Overlay overlay_;
   FreeSpace& space_;
   std::vector<ObstacleId> island_of_blocked_;
@@ -116,15 +118,14 @@ void Assembler::CollectIslands() {
   for (std::size_t source = 0; source < overlay_.blocked_of_source.size(); ++source) {
     const std::int32_t component = overlay_.blocked_of_source[source];
     if (component < 0) continue;
-    const Obstacle& obstacle = world_.obstacles[source];
     if (members[component].empty()) {
       components.push_back(component);
       if (component != overlay_.wall) {
         island_of_blocked_[static_cast<std::size_t>(component)] = ObstacleId(space_.islands.size());
-        space_.islands.push_back({obstacle.name, RepresentativeOf(obstacle), {}, 0});
+        space_.islands.push_back({names_[source], RepresentativeOf(world_.obstacles[source]), {}, 0});
       }
     }
-    members[component].push_back(obstacle.name);
+    members[component].push_back(names_[source]);
   }
   for (const std::int32_t component : components) {
     const std::vector<std::string>& names = members[component];
@@ -140,14 +141,12 @@ void Assembler::AddSplitPieces() {
   for (std::size_t i = 0; i < island_of_blocked_.size(); ++i) {
     const std::int32_t source = overlay_.source_of_blocked[i];
     if (island_of_blocked_[i].valid() || static_cast<std::int32_t>(i) == overlay_.wall || source < 0) continue;
-    if (names.empty()) {
-      for (const Obstacle& obstacle : world_.obstacles) names.insert(obstacle.name);
-    }
-    const Obstacle& obstacle = world_.obstacles[static_cast<std::size_t>(source)];
+    if (names.empty()) names.insert(names_.begin(), names_.end());
+    const std::string& parted = names_[static_cast<std::size_t>(source)];
     std::string name;
-    for (int k = 2; name.empty() || !names.insert(name).second; ++k) name = obstacle.name + "_" + std::to_string(k);
+    for (int k = 2; name.empty() || !names.insert(name).second; ++k) name = parted + "_" + std::to_string(k);
     island_of_blocked_[i] = ObstacleId(space_.islands.size());
-    space_.islands.push_back({name, overlay_.inside_of_blocked[i], {obstacle.name}, 0});
+    space_.islands.push_back({name, overlay_.inside_of_blocked[i], {parted}, 0});
   }
 }
 
@@ -219,12 +218,13 @@ Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& o
   space.box = BoundingBox(world.outline);
   space.clearance = options.clearance.value_or(world.clearance);
   space.snap = world.snap;
+  const std::vector<std::string> names = ObstacleNames(world);
   std::vector<SourcedRing> rings = BlockedRings(world, options.arc_error);
   const double spacing = GridSpacing(rings, space.clearance, options.arc_error);
   if (world.snap > 0) {
     for (const VertexMove& move : SnapVertices(rings, world.snap)) {
       if (Distance(move.from, move.to) <= spacing) continue;
-      space.snaps.push_back({NameOf(world, move.source), move.from, move.to, NameOf(world, move.onto)});
+      space.snaps.push_back({NameOf(names, move.source), move.from, move.to, NameOf(names, move.onto)});
     }
   }
   // A few grid spacings more, so that rounding to the grid cannot make the growth too small.
@@ -240,7 +240,7 @@ Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& o
                         "world");
   }
   space.grid = overlay.grid;
-  Assembler(world, std::move(overlay), space).Assemble();
+  Assembler(world, names, std::move(overlay), space).Assemble();
   return space;
 }
 

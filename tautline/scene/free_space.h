@@ -76,9 +76,10 @@ struct FreeSpace {
   const std::string& name(ObstacleId id) const { return islands[id.index()].name; }
 };
 
-/// Builds the free space of a world. Errors: no outline, or no area left inside it. O(n log n) for n
-/// vertices with few overlaps. All vertices are rounded to a grid of about 1e-12 of the extent [Hobby1999].
-/// Growth is never too small, and at most arc_error * clearance too large, beyond that grid.
+/// Builds the free space of a world. Obstacles without a name get the one that a reader of scenes gives them. Errors:
+/// no outline, or no area left inside it. O(n log n) for n vertices with few overlaps. All vertices are rounded to a
+/// grid of about 1e-12 of the extent [Hobby1999]. Growth is never too small, and at most arc_error * clearance too
+/// large, beyond that grid.
 [[nodiscard]] Expected<FreeSpace> BuildFreeSpace(const World& world, const FreeSpaceOptions& options = {});
 
 /// The depth in metres by which a point may lie outside of the free space and still be taken to be on its boundary:

@@ -203,6 +203,16 @@ TEST(FreeSpace, OverlappingObstaclesTakeTheFirstName) {
   EXPECT_FALSE(space->merges[0].with_wall);
 }
 
+TEST(FreeSpace, ObstaclesWithoutANameAreCalledByPosition) {
+  const World world = Room(
+      {Block("", {1, 1}, {2, 2}), Block("o3", {3, 1}, {4, 2}), Block("", {5, 1}, {6, 2}), Block("", {5.5, 1}, {7, 2})});
+  const Expected<FreeSpace> space = BuildFreeSpace(world);
+  ASSERT_TRUE(space);
+  EXPECT_EQ(NamesOf(*space), (std::vector<std::string>{"o1", "o3", "o4"}));
+  ASSERT_EQ(space->merges.size(), 1u);
+  EXPECT_EQ(space->merges[0].members, (std::vector<std::string>{"o4", "o5"}));
+}
+
 TEST(FreeSpace, WhatMeetsTheWallIsWall) {
   const Expected<FreeSpace> space = BuildFreeSpace(
       Room({Block("free", {4, 4}, {5, 5}), Block("leaning", {0, 7}, {1, 8}), Block("crossing", {9, 1}, {12, 2}),

@@ -227,6 +227,7 @@ void CheckPieces(const std::vector<Piece>& pieces, FieldReader& reader) {
     for (const Ring& hole : piece.polygon.holes) {
       reader.Check(RingFault(hole), piece.position, "a hole of the polygon");
     }
+    if (reader.ok()) reader.Check(HolesFault(piece.polygon), piece.position, "the polygon's");
   }
 }
 

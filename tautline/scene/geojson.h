@@ -26,8 +26,8 @@ namespace tautline {
 /// in degrees, with the WGS84 radii of curvature there: lengths are right to a share of (distance from the centre
 /// north or south / 6371 km) tan(latitude), that is 0.014 % at 500 m and 60 degrees. Wider than 5 degrees is refused.
 ///
-/// Errors: kInvalidInput with the line (no polygon at all, two outlines, a ring that crosses itself, coordinates that
-/// are no positions), kUnsupported. O(points log points).
+/// Errors: kInvalidInput with the line (no polygon at all, two outlines, a ring that crosses itself, a hole outside
+/// its polygon, coordinates that are no positions), kUnsupported. O(points log points).
 [[nodiscard]] Expected<MapWorld> ReadGeoJson(const Document& document, const std::string& file);
 
 }  // namespace tautline

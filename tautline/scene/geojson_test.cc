@@ -72,6 +72,24 @@ TEST(ReadGeoJson, WithoutAnOutlineItIsTheGrownBoundingBox) {
   EXPECT_EQ(box.high, (Point{22, 12}));
 }
 
+TEST(ReadGeoJson, HolesLieInTheirPolygon) {
+  const auto with = [](const std::string& hole) {
+    // A room with a slot from above down to y = 1, between x = 9 and x = 10.
+    return ErrorOf(R"({"type": "Polygon", "coordinates": [
+        [[0,0],[20,0],[20,10],[10,10],[10,1],[9,1],[9,10],[0,10],[0,0]],)" +
+                   hole + "]}");
+  };
+  EXPECT_EQ(with("[[1,1],[8,1],[8,5],[1,1]]"), "no error");
+  EXPECT_EQ(with("[[0,0],[9,1],[8,5],[0,0]]"), "no error") << "touching";
+  EXPECT_EQ(with("[[30,1],[31,1],[31,5],[30,1]]"),
+            "m.geojson:1: the polygon's hole does not lie inside the polygon, at (30, 1): move it or leave it out");
+  EXPECT_EQ(with("[[19,1],[21,1],[21,5],[19,1]]").substr(0, 55),
+            "m.geojson:1: the polygon's hole does not lie inside the");
+  EXPECT_EQ(with("[[8,2],[11,2],[11,3],[8,3],[8,2]]"),
+            "m.geojson:1: the polygon's hole leaves the polygon on its edge 1 (8, 2)-(11, 2): move it or leave it out")
+      << "across the slot, all its points inside";
+}
+
 TEST(ReadGeoJson, ReadsHolesCollectionsAndMultiPolygons) {
   const MapWorld world = Good(R"({"type": "GeometryCollection", "geometries": [
       {"type": "MultiPolygon", "coordinates": [[[[0,0],[9,0],[9,9],[0,0]], [[5,2],[6,2],[6,3],[5,2]]],

@@ -15,7 +15,8 @@ namespace tautline {
 /// What a map says about the world.
 struct MapWorld {
   Ring outline;                        ///< Around the free space, metres.
-  std::vector<Obstacle> obstacles;     ///< `name` is empty where the map gives none.
+  std::vector<Obstacle> obstacles;     ///< `name` is empty where the map gives none;
+                                       ///< BuildFreeSpace calls those o1, o2, ... by position.
   MapSource source;                    ///< Where it came from.
   std::optional<OccupancyGrid> cells;  ///< Of a map of cells; unknown cells as they stand in the map.
 };

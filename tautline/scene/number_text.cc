@@ -1,5 +1,6 @@
 #include "tautline/scene/number_text.h"
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <locale>
@@ -110,6 +111,20 @@ std::string FormatNumber(double value) {
   stream << value;
   return stream.str();
 }
+
+std::string ShortNumber(double value) {
+  constexpr double kNothing = 1e-9;
+  constexpr int kDigitsOfSmall = 6, kDecimals = 4, kMostDigits = 12;
+  int digits = std::fabs(value) < 1 ? kDigitsOfSmall : kDecimals + 1;
+  for (double size = std::fabs(value); size >= 10 && digits < kMostDigits; size /= 10) ++digits;
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream.precision(digits);
+  stream << (std::fabs(value) < kNothing ? 0 : value);
+  return stream.str();
+}
+
+std::string Metres(double value) { return ShortNumber(value) + " m"; }
 
 std::string ToText(Point point) { return "(" + FormatNumber(point.x) + ", " + FormatNumber(point.y) + ")"; }
 

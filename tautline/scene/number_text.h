@@ -18,6 +18,13 @@ std::optional<double> ParseNumber(std::string_view text);
 /// The shortest text that ParseNumber reads back as the same finite number: "0.1", "-3", "1e+30".
 std::string FormatNumber(double value);
 
+/// A number for people: four decimals, or below 1 six digits, without trailing zeros: "74.3412", "1234.5678",
+/// "0.0117766". What is nearer to 0 than 1e-9 is "0", as coordinates that rounding leaves them. Requires a finite one.
+std::string ShortNumber(double value);
+
+/// "12.34 m", by ShortNumber.
+std::string Metres(double value);
+
 /// "(1.5, -2)".
 std::string ToText(Point point);
 

@@ -64,5 +64,16 @@ TEST(ParseNumber, AgreesWithTheStandardLibrary) {
   }
 }
 
+TEST(ShortNumber, HasFourDecimals) {
+  EXPECT_EQ(ShortNumber(74.34123456), "74.3412");
+  EXPECT_EQ(ShortNumber(1234.56785678), "1234.5679");
+  EXPECT_EQ(ShortNumber(6.79348), "6.7935");
+  EXPECT_EQ(ShortNumber(0.01177661), "0.0117766");
+  EXPECT_EQ(ShortNumber(-2.50), "-2.5");
+  EXPECT_EQ(ShortNumber(1e12), "1e+12");
+  EXPECT_EQ(ShortNumber(-6.1e-17), "0");
+  EXPECT_EQ(Metres(18), "18 m");
+}
+
 }  // namespace
 }  // namespace tautline

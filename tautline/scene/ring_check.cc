@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "tautline/geometry/ring_index.h"
 #include "tautline/geometry/self_crossing.h"
 #include "tautline/scene/number_text.h"
 
@@ -45,6 +46,23 @@ std::optional<Fault> RingFault(const Ring& ring) {
                  EdgeText(clean, pair->second) + "; list the points in order around it"};
   }
   if (!HasArea(clean)) return Fault{" has no area: its points lie on a line"};
+  return std::nullopt;
+}
+
+std::optional<Fault> HolesFault(const PolygonWithHoles& polygon) {
+  if (polygon.holes.empty()) return std::nullopt;
+  const RingIndex outer(polygon.outer);
+  for (const Ring& hole : polygon.holes) {
+    for (const Point p : hole) {
+      const Winding winding = outer.WindingAt(p);
+      if (winding.on_boundary || winding.number != 0) continue;
+      return Fault{" hole does not lie inside the polygon, at " + ToText(p) + ": move it or leave it out"};
+    }
+    for (std::size_t i = 0; i < hole.size(); ++i) {
+      if (!outer.IsCrossedBy(hole[i], hole[(i + 1) % hole.size()])) continue;
+      return Fault{" hole leaves the polygon on its edge " + EdgeText(hole, i) + ": move it or leave it out"};
+    }
+  }
   return std::nullopt;
 }
 

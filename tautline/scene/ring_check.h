@@ -24,6 +24,10 @@ std::optional<Fault> RingPointsFault(const Ring& ring);
 /// rule.
 std::optional<Fault> RingFault(const Ring& ring);
 
+/// A hole of the polygon that reaches out of it: one of its points lies outside, or one of its edges crosses an edge of
+/// the outer ring. Requires rings without a fault. O(n log n) as a rule.
+std::optional<Fault> HolesFault(const PolygonWithHoles& polygon);
+
 /// No radius, or a coordinate of the disc that PointFault refuses.
 std::optional<Fault> CircleFault(const Circle& circle);
 

@@ -22,7 +22,7 @@ struct Circle {
 
 /// Something that neither robot nor tether may enter: exactly one of `polygon` and `circle`.
 struct Obstacle {
-  std::string name;                         ///< Unique in the scene; given, or o1, o2, ... by position.
+  std::string name;                         ///< Unique in the scene. Empty: o1, o2, ... by position.
   std::optional<PolygonWithHoles> polygon;  ///< Metres, either orientation.
   std::optional<Circle> circle;             ///< Becomes a polygon that errs outwards.
   std::optional<Point> representative;      ///< Where its ray starts; strictly inside. Absent: chosen.

@@ -8,14 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "tautline/scene/check_tether.h"
 #include "tautline/scene/field_reader.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline {
 namespace {
-
-/// Two points of a scene that must be one point may differ by this share of the size of the world.
-constexpr double kSameShare = 1e-6;
 
 /// How far the probabilities of futures may sum past or short of 1: the rounding of their decimal texts.
 constexpr double kProbabilityTolerance = 1e-9;
@@ -39,7 +37,7 @@ class SceneReader {
                       {"world", "tether", "goal", "cables", "tasks", "max_boundary", "futures", "fleet"});
     RequireWorld(document);
     if (const Document* value = document.Find("world")) scene_.world = ReadWorld(*value, reader_, load_map_);
-    same_m_ = kSameShare * WorldSize();
+    same_m_ = SamePointTolerance(BoundingBox(scene_.world.outline));
     if (const Document* value = document.Find("tether")) ReadTether(*value);
     if (const Document* value = document.Find("goal")) scene_.goal = reader_.ReadPoint(*value, "goal");
     if (const Document* value = document.Find("cables")) ReadCables(*value);
@@ -68,13 +66,6 @@ class SceneReader {
                    "the scene has '" + std::string(key) + "' but no 'world': add one with an outline or a map");
     }
     if (document.Find("fleet") == nullptr) reader_.Fail(document.position, "the scene has neither 'world' nor 'fleet'");
-  }
-
-  /// The larger side of the world, metres; of a fleet alone, 1.
-  double WorldSize() const {
-    if (scene_.world.outline.empty()) return 1;
-    const Point size = BoundingBox(scene_.world.outline).size();
-    return std::max(size.x, size.y);
   }
 
   /// Makes `given` the point that it must be; an error when it is another one.

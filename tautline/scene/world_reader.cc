@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
-#include <set>
 #include <utility>
 
+#include "tautline/scene/obstacle_naming.h"
 #include "tautline/scene/ring_check.h"
 
 namespace tautline {
@@ -54,45 +53,16 @@ Obstacle ReadObstacle(const Document& value, const std::string& what, FieldReade
   return obstacle;
 }
 
-/// Hands out names: those that are given, each once, and o1, o2, ... for the rest.
-class ObstacleNames {
- public:
-  bool Take(const std::string& name) { return taken_.insert(name).second; }
-
-  /// The name for the obstacle at a position, from 1: the first one from o<position> on that is not taken.
-  std::string ByPosition(std::size_t position) {
-    next_ = std::max(next_, position);
-    while (!Take("o" + std::to_string(next_))) ++next_;
-    return "o" + std::to_string(next_);
-  }
-
-  /// The name itself, or with _2, _3, ... behind it when it is taken.
-  std::string Variant(const std::string& name) {
-    if (Take(name)) return name;
-    std::size_t& count = counts_[name];
-    do {
-      count = std::max<std::size_t>(count + 1, 2);
-    } while (!Take(name + "_" + std::to_string(count)));
-    return name + "_" + std::to_string(count);
-  }
-
- private:
-  std::set<std::string> taken_;
-  std::map<std::string, std::size_t> counts_;
-  std::size_t next_ = 1;
-};
-
 /// Map obstacles keep the names of the map as far as the scene has not taken them.
-void NameObstacles(std::vector<Obstacle>& obstacles, ObstacleNames& names) {
-  for (Obstacle& obstacle : obstacles) {
+void NameObstacles(World& world, ObstacleNaming& names) {
+  for (Obstacle& obstacle : world.obstacles) {
     if (obstacle.from_map && !obstacle.name.empty()) obstacle.name = names.Variant(obstacle.name);
   }
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    if (obstacles[i].name.empty()) obstacles[i].name = names.ByPosition(i + 1);
-  }
+  std::vector<std::string> all = ObstacleNames(world);
+  for (std::size_t i = 0; i < all.size(); ++i) world.obstacles[i].name = std::move(all[i]);
 }
 
-void ReadObstacles(const Document& value, FieldReader& reader, ObstacleNames& names, World& world) {
+void ReadObstacles(const Document& value, FieldReader& reader, ObstacleNaming& names, World& world) {
   const std::string what = "world.obstacles";
   if (!reader.IsList(value, what)) return;
   for (std::size_t i = 0; i < value.items.size() && reader.ok(); ++i) {
@@ -136,10 +106,10 @@ World ReadWorld(const Document& document, FieldReader& reader, const MapLoader& 
   }
   if (const Document* value = document.Find("snap")) world.snap = reader.ReadNonNegative(*value, "world.snap");
   if (outline != nullptr) world.outline = ReadRing(*outline, "world.outline", reader);
-  ObstacleNames names;
+  ObstacleNaming names;
   if (const Document* value = document.Find("obstacles")) ReadObstacles(*value, reader, names, world);
   if (map != nullptr) LoadMap(*map, reader, load_map, world);
-  if (reader.ok()) NameObstacles(world.obstacles, names);
+  if (reader.ok()) NameObstacles(world, names);
   return world;
 }
 

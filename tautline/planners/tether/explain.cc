@@ -1,20 +1,11 @@
 #include "tautline/planners/tether/explain.h"
 
-#include <array>
-#include <cstdio>
+#include "tautline/scene/number_text.h"
 
 namespace tautline {
 namespace {
 
-std::string Number(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
-
-std::string Metres(double value) { return Number(value) + " m"; }
-
-std::string At(Point p) { return "(" + Number(p.x) + ", " + Number(p.y) + ")"; }
+std::string At(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
 
 /// "inside an obstacle", with the clearance when there is one.
 std::string InsideObstacle(const TautSpace& space) {
@@ -54,8 +45,8 @@ std::string ExplainLaidCable(const TautSpace& space, PlanObstruction obstruction
   return "the cable as laid leaves the free ground at " + At(at) + ": that place is " + InsideObstacle(space);
 }
 
-std::string ExplainUnreachable(Point goal) {
-  return "the goal " + At(goal) + " and the robot are in parts of the free ground that are not connected";
+std::string ExplainApart(const std::string& what, Point at, const std::string& other) {
+  return what + " " + At(at) + " and " + other + " are in parts of the free ground that are not connected";
 }
 
 std::string ExplainLaidTooLong(double taut_length, double limit) {
@@ -75,9 +66,6 @@ std::string ExplainBudget(std::int64_t budget) {
 }
 
 std::string ExplainStopped() { return "the search was stopped by its caller with the question still open"; }
-std::string ExplainApart(Point at) {
-  return "the point " + At(at) + " and the base are in parts of the free ground that are not connected";
-}
 
 std::string ExplainOutOfReach(Point at, double shortest, double limit) {
   return "the point " + At(at) + " needs a tether of " + Metres(shortest) + ", " + Metres(shortest - limit) +

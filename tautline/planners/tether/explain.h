@@ -15,8 +15,8 @@ std::string ExplainBlocked(const TautSpace& space, const std::string& what, Poin
 /// Why the cable cannot lie as it is said to: `at` is where it leaves the free space, or where the robot stands, as
 /// FollowLaidCable reports it. Requires a fault of the laid cable.
 std::string ExplainLaidCable(const TautSpace& space, PlanObstruction obstruction, Point at);
-/// That goal and robot stand on parts of the free ground that are not connected.
-std::string ExplainUnreachable(Point goal);
+/// "the goal (1, 2) and the robot are in parts ... that are not connected"; `what` is "the goal", `other` "the robot".
+std::string ExplainApart(const std::string& what, Point at, const std::string& other);
 /// That the laid cable, pulled taut, needs more than the tether has; lengths in metres.
 std::string ExplainLaidTooLong(double taut_length, double limit);
 /// By how much the tether of length `limit`, metres, falls short of `shortest`, the class that needs the least.
@@ -25,8 +25,6 @@ std::string ExplainTooShort(const TautSpace& space, const TautPath& shortest, do
 std::string ExplainBudget(std::int64_t budget);
 /// That the caller of a search stopped it.
 std::string ExplainStopped();
-/// That a point that somebody asked about and the base stand on parts of the free ground that are not connected.
-std::string ExplainApart(Point at);
 /// That a point needs a tether of `shortest` metres, more than the `limit` there is.
 std::string ExplainOutOfReach(Point at, double shortest, double limit);
 /// The tether ends before it is out of its socket.

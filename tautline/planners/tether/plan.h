@@ -68,7 +68,8 @@ struct PlanResult {
 
 /// Plans on the scene's world, tether and goal. The robot and its tether share one free space; the taut tether may be
 /// crossed. The answer is exact: the shortest motion over all classes whose taut tether is no longer than the limit.
-/// Errors: the scene has no tether or no goal, or the world has no free space. Cost: preparation O(n log n) plus the
+/// Errors: the scene has no tether or no goal, or one that CheckTether or CheckGoal refuses, or the world has no free
+/// space. Cost: preparation O(n log n) plus the
 /// reduced visibility graph, then a label-setting search over its directed edges. [Igarashi2010 for the question;
 /// Yang2022 for the convexity that makes the search one of classes alone]
 [[nodiscard]] Expected<PlanResult> Plan(const Scene& scene, const PlanOptions& options = {});

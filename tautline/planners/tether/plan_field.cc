@@ -88,7 +88,7 @@ std::optional<TautPath> PlanField::ShortestTetherTo(Place place) const {
 std::vector<TautPath> PlanField::TethersTo(Place place) const {
   if (options_.classes == 1 && to_base_ && IsPlain(planner_->space(), place)) {
     auto shortest = ShortestTetherTo(place);
-    if (!shortest || shortest->length > tether_.length * (1 + kTetherTolerance)) return {};
+    if (!shortest || shortest->length > tether_.length * (1 + kLengthTolerance)) return {};
     return {std::move(*shortest)};
   }
   return planner_

@@ -42,7 +42,7 @@ TEST(PlanField, HeadingsShortenTheWayAndLengthsAreThoseOfPlan) {
                            .value();
     const double step = 1e-4 * Extent(planner);
     for (const FieldSample& sample : field.All().samples) {
-      ASSERT_LE(sample.tether.length, scene.tether->length * (1 + 2 * kTetherTolerance));
+      ASSERT_LE(sample.tether.length, scene.tether->length * (1 + 2 * kLengthTolerance));
       const PlanResult plan =
           planner.Plan({scene.tether->base, scene.tether->length, sample.tether.points}, *scene.goal);
       ASSERT_TRUE(plan.motion);

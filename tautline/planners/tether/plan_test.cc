@@ -6,11 +6,13 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 
 #include "tautline/base/rng.h"
 #include "tautline/base/test_scale.h"
 #include "tautline/homotopy/sketched_scene.h"
 #include "tautline/planners/tether/random_tether.h"
+#include "tautline/planners/tether/reach.h"
 #include "tautline/planners/tether/tether_planner.h"
 #include "tautline/planners/tether/verify_plan.h"
 
@@ -142,6 +144,35 @@ TEST(Plan, RefusesASceneWithoutAQuestion) {
   scene = WithTether(Wall(), 10, std::nullopt, {1, 1});
   scene.tether.reset();
   EXPECT_FALSE(Plan(scene));
+}
+
+TEST(Plan, RefusesATetherThatCannotBe) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const Scene good = WithTether(Wall(), 10, Polyline{{1, 1}, {2, 1}}, {1, 1});
+  const Point base = good.tether->base;
+  std::vector<Scene> bad(8, good);
+  bad[0].tether->length = kNan;
+  bad[1].tether->length = kInfinity;
+  bad[2].tether->length = -1;
+  bad[3].tether->base.x = kNan;
+  bad[4].goal->y = kInfinity;
+  bad[5].tether->laid = Polyline{base, {kNan, 1}};
+  bad[6].tether->laid = Polyline{base + Point{0.1, 0}, {2, 1}};
+  bad[7].tether->laid = Polyline{};
+  const auto planner = TetherPlanner::Prepare(good.world).value();
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    SCOPED_TRACE(i);
+    const auto result = Plan(bad[i]);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().message.find(i == 4 ? "goal is" : "tether."), 0U) << result.error().message;
+    EXPECT_THROW(static_cast<void>(planner.Plan(*bad[i].tether, *bad[i].goal)), std::logic_error);
+    if (i == 4) continue;
+    EXPECT_THROW(static_cast<void>(planner.PrepareStart(*bad[i].tether)), std::logic_error);
+    EXPECT_THROW(static_cast<void>(Reach(planner, *bad[i].tether)), std::logic_error);
+    EXPECT_FALSE(Reach(bad[i]));
+  }
+  EXPECT_THROW(static_cast<void>(planner.PrepareGoal(*bad[4].goal)), std::logic_error);
+  EXPECT_FALSE(Reach(good, {.at = *bad[4].goal}));
 }
 
 TEST(Plan, StopsAtItsBudget) {

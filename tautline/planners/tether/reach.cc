@@ -4,8 +4,10 @@
 #include <set>
 #include <utility>
 
+#include "tautline/base/check.h"
 #include "tautline/planners/tether/explain.h"
 #include "tautline/planners/tether/reach_plane.h"
+#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 namespace {
@@ -56,10 +58,10 @@ ReachPoint AskAt(const TetherPlanner& planner, const Socket& socket, double limi
   asked.least_tether = ShortestTether(space, socket, *place);
   if (!asked.least_tether) {
     asked.obstruction = PlanObstruction::kGoalUnreachable;
-    asked.explanation = ExplainApart(asked.point);
+    asked.explanation = ExplainApart("the point", asked.point, "the base");
     return asked;
   }
-  if (asked.least_tether->length > limit * (1 + kTetherTolerance)) {
+  if (asked.least_tether->length > limit * (1 + kLengthTolerance)) {
     asked.obstruction = PlanObstruction::kTetherTooShort;
     asked.explanation = ExplainOutOfReach(asked.point, asked.least_tether->length, limit);
   }
@@ -74,6 +76,8 @@ ReachPoint AskAt(const TetherPlanner& planner, const Socket& socket, double limi
 
 ReachResult Reach(const TetherPlanner& planner, const Tether& tether, const ReachOptions& options) {
   const TautSpace& space = planner.space();
+  TAUTLINE_CHECK(CheckTether(tether, space.free_space().box));
+  TAUTLINE_CHECK(!options.at || CheckGoal(*options.at));
   ReachResult result{.limit = tether.length, .socket = FindSocket(space, planner.ungrown(), tether.base)};
   if (!result.socket) {
     result.obstruction = PlanObstruction::kStartBlocked;
@@ -81,7 +85,7 @@ ReachResult Reach(const TetherPlanner& planner, const Tether& tether, const Reac
     return result;
   }
   const Socket& socket = *result.socket;
-  if (socket.stub_length > tether.length * (1 + kTetherTolerance)) {
+  if (socket.stub_length > tether.length * (1 + kLengthTolerance)) {
     result.obstruction = PlanObstruction::kTetherTooShort;
     result.explanation = ExplainShortInSocket(socket.stub_length, tether.length);
     return result;
@@ -108,8 +112,9 @@ ReachResult Reach(const TetherPlanner& planner, const Tether& tether, const Reac
 }
 
 Expected<ReachResult> Reach(const Scene& scene, const ReachOptions& options) {
-  if (!scene.tether) {
-    return InvalidInput("the scene has no tether; add `tether: {base: [x, y], length: metres}`", scene.path);
+  if (const auto checked = RequireTether(scene); !checked) return tl::unexpected(checked.error());
+  if (options.at) {
+    if (const auto checked = CheckGoal(*options.at, "at"); !checked) return tl::unexpected(checked.error());
   }
   const auto planner = TetherPlanner::Prepare(scene.world);
   if (!planner) return tl::unexpected(planner.error());

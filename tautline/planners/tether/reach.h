@@ -57,10 +57,11 @@ struct ReachResult {
 /// The region of all points to which the robot can drive: those whose shortest tether is no longer than the limit. The
 /// laid cable does not matter: it can be taken back along itself, and never needs more tether on the way [Yang2022].
 /// Cost: one Dijkstra over the corners, and what they see within the tether. Sheets: exponential in the length, see
-/// ReachSheets.
+/// ReachSheets. Requires a tether that CheckTether accepts, and for ReachOptions::at a point that CheckGoal accepts.
 ReachResult Reach(const TetherPlanner& planner, const Tether& tether, const ReachOptions& options = {});
 
-/// The same for a scene. Errors: the scene has no tether, or the world has no free space.
+/// The same for a scene. Errors: the scene has no tether, or one that CheckTether refuses, or the world has no free
+/// space, or ReachOptions::at is a point that CheckGoal refuses.
 [[nodiscard]] Expected<ReachResult> Reach(const Scene& scene, const ReachOptions& options = {});
 
 }  // namespace tautline

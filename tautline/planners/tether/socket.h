@@ -16,7 +16,10 @@ struct Socket {
 };
 
 /// The shortest straight way from the base to the grown free space of `space` that stays in `ungrown`, the free mesh of
-/// the same world without clearance. Nothing when the base stands inside an obstacle. O(n log n).
+/// the same world without clearance. Among equally short ones that whose exit comes first
+/// by x, then y. Nothing when the base stands inside an obstacle, or when no exit is in sight. Looks at the triangles
+/// in sight that are not much farther away than the exit, and at the boundary edges near each; O(n log n) for short
+/// ways.
 std::optional<Socket> FindSocket(const TautSpace& space, const FreeMesh& ungrown, Point base);
 
 }  // namespace tautline

@@ -9,6 +9,7 @@
 #include "tautline/homotopy/goal_field.h"
 #include "tautline/planners/tether/class_choice.h"
 #include "tautline/planners/tether/explain.h"
+#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 namespace {
@@ -77,6 +78,7 @@ Expected<TetherPlanner> TetherPlanner::Prepare(const World& world, const Prepare
 }
 
 tl::expected<LaidCable, LaidCableFault> TetherPlanner::FollowLaidCable(const Tether& tether) const {
+  TAUTLINE_CHECK(CheckTether(tether, space_->free_space().box));
   const bool has_cable = tether.laid && tether.laid->size() > 1;
   const Point robot = has_cable ? tether.laid->back() : tether.base;
   const auto socket = FindSocket(*space_, ungrown(), tether.base);
@@ -120,7 +122,7 @@ ClassList TetherPlanner::TethersTo(const Socket& socket, const Walk& root, Place
   ClassOptions from_exit = options;
   // The tolerance is a share of the whole tether, also where FindClasses sees only a part of it.
   if (options.max_length) {
-    from_exit.max_length = *options.max_length - socket.stub_length / (1 + kTetherTolerance);
+    from_exit.max_length = *options.max_length - socket.stub_length / (1 + kLengthTolerance);
   }
   ClassList list = FindClassesOnward(*space_, root, goal, from_exit);
   if (socket.stub_length == 0) return list;
@@ -154,7 +156,7 @@ void TetherPlanner::ListAll(const LaidCable& laid, Place goal, const PlanOptions
 /// The best motion, and the shorter one that the tether forbids. Requires that a motion exists.
 void TetherPlanner::Choose(const LaidCable& laid, const Polyline& direct, const GoalDistances& field,
                            const PlanOptions& options, PlanResult& result) const {
-  const double limit = result.limit * (1 + kTetherTolerance);
+  const double limit = result.limit * (1 + kLengthTolerance);
   Motion shortest = MotionAlong(laid, direct);
   if (shortest.tether.length <= limit) {
     result.motion = std::move(shortest);
@@ -194,19 +196,24 @@ PreparedStart TetherPlanner::PrepareStart(const Tether& tether) const {
   return start;
 }
 
+PreparedGoal TetherPlanner::GoalAt(Point goal) const {
+  TAUTLINE_CHECK(CheckGoal(goal));
+  return PreparedGoal(goal, space_->Locate(goal));
+}
+
 PreparedGoal TetherPlanner::PrepareGoal(Point goal) const {
-  PreparedGoal prepared(goal, space_->Locate(goal));
+  PreparedGoal prepared = GoalAt(goal);
   if (prepared.place_)
     prepared.field_.emplace(*space_, *prepared.place_).GrowTo(std::numeric_limits<double>::infinity());
   return prepared;
 }
 
 PlanResult TetherPlanner::Plan(const Tether& tether, Point goal, const PlanOptions& options) const {
-  return Decide(StartOf(tether), PreparedGoal(goal, space_->Locate(goal)), options);
+  return Decide(StartOf(tether), GoalAt(goal), options);
 }
 
 PlanResult TetherPlanner::Plan(const PreparedStart& start, Point goal, const PlanOptions& options) const {
-  return Decide(start, PreparedGoal(goal, space_->Locate(goal)), options);
+  return Decide(start, GoalAt(goal), options);
 }
 
 PlanResult TetherPlanner::Plan(const Tether& tether, const PreparedGoal& goal, const PlanOptions& options) const {
@@ -228,7 +235,7 @@ PlanResult TetherPlanner::Decide(const PreparedStart& start, const PreparedGoal&
 
 void TetherPlanner::Decide(const PreparedStart& start, const PreparedGoal& goal, const PlanOptions& options,
                            PlanResult& result) const {
-  const double limit = result.limit * (1 + kTetherTolerance);
+  const double limit = result.limit * (1 + kLengthTolerance);
   if (!goal.place_) {
     return SetInfeasible(PlanObstruction::kGoalBlocked, ExplainBlocked(*space_, "the goal", goal.point_), result);
   }
@@ -239,7 +246,7 @@ void TetherPlanner::Decide(const PreparedStart& start, const PreparedGoal& goal,
   const LaidCable& laid = *start.laid_;
   result.start = start.taut_;
   const auto unreachable = [&] {
-    SetInfeasible(PlanObstruction::kGoalUnreachable, ExplainUnreachable(goal.point_), result);
+    SetInfeasible(PlanObstruction::kGoalUnreachable, ExplainApart("the goal", goal.point_, "the robot"), result);
   };
   if (!space_->mesh().Connected(laid.robot(), *goal.place_)) return unreachable();
 

@@ -13,10 +13,6 @@
 
 namespace tautline {
 
-/// A tether length may be exceeded by this share of itself: rounding of sums must not forbid a tether that fits
-/// exactly.
-inline constexpr double kTetherTolerance = 1e-9;
-
 /// The laid cable in the prepared space: where it starts, how it runs, where the robot stands.
 struct LaidCable {
   /// Where it enters the free space.
@@ -92,6 +88,8 @@ struct PrepareOptions {
 };
 
 /// Plans in one world for many tethers and goals. Immutable after preparation; queries may run in several threads.
+/// Requires tethers that CheckTether accepts and goals that CheckGoal accepts: anything else throws std::logic_error,
+/// as broken invariants do.
 class TetherPlanner {
  public:
   /// Builds free space and graph: the costly part of planning. Errors: as BuildFreeSpace; kStopped when `watch` said
@@ -127,6 +125,8 @@ class TetherPlanner {
 
   /// The free space with clearance, prepared for taut curves.
   const TautSpace& space() const { return *space_; }
+  /// The free space without clearance; that of `space` where there is none.
+  const FreeSpace& ungrown_space() const { return ungrown_ ? ungrown_->space : space_->free_space(); }
   /// The free mesh without clearance: what a socket's stub may cross.
   const FreeMesh& ungrown() const { return ungrown_ ? ungrown_->mesh : space_->mesh(); }
 
@@ -144,6 +144,7 @@ class TetherPlanner {
   TetherPlanner() = default;
 
   PreparedStart StartOf(const Tether& tether) const;
+  PreparedGoal GoalAt(Point goal) const;
   PlanResult Decide(const PreparedStart& start, const PreparedGoal& goal, const PlanOptions& options) const;
   void Decide(const PreparedStart& start, const PreparedGoal& goal, const PlanOptions& options,
               PlanResult& result) const;

@@ -2,85 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "tautline/geometry/polygon.h"
-#include "tautline/geometry/predicates.h"
+#include "tautline/planners/tether/ring_ground.h"
 
 namespace tautline {
 namespace {
-
-/// Relative agreement of lengths that were summed in different orders.
-constexpr double kLengthTolerance = 1e-9;
-
-template <class Visit>
-void ForEachRing(const FreeSpace& space, Visit visit) {
-  for (const FreeComponent& component : space.components) {
-    visit(component.outer.points);
-    for (const BoundaryRing& hole : component.holes) visit(hole.points);
-  }
-}
-
-template <class Visit>
-void ForEachEdge(const FreeSpace& space, Visit visit) {
-  ForEachRing(space, [&visit](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[(i + 1) % ring.size()]);
-  });
-}
-
-/// Whether the segment stays in the closed free space, up to a depth of `tolerance`: it is cut where it meets
-/// boundaries, and the middle of every piece must be free.
-bool SegmentIsFree(const FreeSpace& space, Point a, Point b, double tolerance) {
-  std::vector<double> cuts{0, 1};
-  ForEachEdge(space, [&](Point p, Point q) {
-    const double side_p = Cross(b - a, p - a), side_q = Cross(b - a, q - a);
-    if ((side_p > 0 && side_q > 0) || (side_p < 0 && side_q < 0) || side_p == side_q) return;
-    const Point meet = Lerp(p, q, side_p / (side_p - side_q));
-    const double at = Dot(meet - a, b - a) / Dot(b - a, b - a);
-    if (at > 0 && at < 1) cuts.push_back(at);
-  });
-  std::sort(cuts.begin(), cuts.end());
-  for (std::size_t i = 1; i < cuts.size(); ++i) {
-    if (!ComponentOf(space, Lerp(a, b, 0.5 * (cuts[i - 1] + cuts[i])), tolerance)) return false;
-  }
-  return true;
-}
-
-/// Whether a curve a-b-c bends at b around blocked ground: b is a boundary vertex whose blocked cone lies between the
-/// two arms, on the inner side of the bend.
-bool BendsAroundObstacle(const FreeSpace& space, Point a, Point b, Point c) {
-  const int turn = Orientation(a, b, c);
-  bool around = false;
-  ForEachRing(space, [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size() && !around; ++i) {
-      if (ring[i] != b) continue;
-      const Point before = ring[(i + ring.size() - 1) % ring.size()], after = ring[(i + 1) % ring.size()];
-      const auto on_inner_side = [&](Point p, Point q, Point r) { return Orientation(p, q, r) * turn >= 0; };
-      around = turn != 0 && on_inner_side(a, b, before) && on_inner_side(a, b, after) && on_inner_side(b, c, before) &&
-               on_inner_side(b, c, after);
-    }
-  });
-  return around;
-}
-
-/// The reduced word by the definition, ray by ray: for each segment the rays between its ends in order of travel.
-Word CountedWord(const FreeSpace& space, std::span<const Point> curve) {
-  Word word;
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    const Point p = curve[i - 1], q = curve[i];
-    const bool rightward = p.x < q.x;
-    std::vector<std::pair<double, ObstacleId>> crossed;
-    for (std::size_t k = 0; k < space.islands.size(); ++k) {
-      const Point ray = space.islands[k].representative;
-      if ((p.x < ray.x) == (q.x < ray.x)) continue;
-      if (Orientation(rightward ? p : q, rightward ? q : p, ray) < 0) crossed.emplace_back(ray.x, ObstacleId(k));
-    }
-    std::sort(crossed.begin(), crossed.end());
-    if (!rightward) std::reverse(crossed.begin(), crossed.end());
-    for (const auto& [x, island] : crossed) word.Append({island, !rightward});
-  }
-  return word;
-}
 
 bool SameLength(double a, double b) { return std::fabs(a - b) <= kLengthTolerance * std::max({1.0, std::fabs(a)}); }
 
@@ -88,11 +15,17 @@ bool SameLength(double a, double b) { return std::fabs(a - b) <= kLengthToleranc
 class Verifier {
  public:
   Verifier(const TetherPlanner& planner, const Tether& tether, Point goal, const PlanResult& result)
-      : planner_(planner), space_(planner.space().free_space()), tether_(tether), goal_(goal), result_(result) {}
+      : planner_(planner),
+        space_(planner.space().free_space()),
+        ground_(space_),
+        tether_(tether),
+        goal_(goal),
+        result_(result) {}
 
   Verification Run(const VerifyOptions& options) {
     const auto laid = planner_.FollowLaidCable(tether_);
     if (result_.shortest_tether) CheckShortestTether(laid && laid->socket.stub_length > 0);
+    if (result_.status == PlanStatus::kInfeasible) CheckObstruction(laid);
     if (!laid) {
       if (result_.motion) Fault("there is a motion although the cable cannot lie as it is said to");
       return std::move(verification_);
@@ -124,7 +57,7 @@ class Verifier {
 
   void CheckCurve(const TautPath& path, const std::string& name, bool has_stub) {
     ++verification_.curves;
-    for (const std::string& fault : CurveFaults(space_, path, has_stub)) {
+    for (const std::string& fault : CurveFaults(space_, path, has_stub ? &planner_.ungrown_space() : nullptr)) {
       Fault(std::string(name).append(" ").append(fault));
     }
   }
@@ -132,12 +65,47 @@ class Verifier {
   bool Near(Point a, Point b) const { return Distance(a, b) <= 2 * planner_.space().tolerance(); }
 
   void CheckStart(const LaidCable& laid) {
-    CheckCurve(result_.start, "the tether at the start", stub_ && !in_socket_);
-    Polyline as_laid = tether_.laid.value_or(Polyline{tether_.base});
-    if (stub_ && !in_socket_) as_laid.insert(as_laid.begin() + 1, laid.socket.exit.point);
-    if (CountedWord(space_, as_laid) != CountedWord(space_, result_.start.points)) {
-      Fault("the tether at the start is not in the class of the laid cable");
+    ++verification_.curves;
+    for (const std::string& fault : LaidCableFaults(planner_, tether_, laid, result_.start)) {
+      Fault("the tether at the start " + fault);
     }
+  }
+
+  /// That the reason for which there is no motion holds.
+  void CheckObstruction(const tl::expected<LaidCable, LaidCableFault>& laid) {
+    switch (result_.obstruction) {
+      case PlanObstruction::kNone:
+        return Fault("there is no motion, and no reason is given");
+      case PlanObstruction::kGoalBlocked:
+        if (!ground_.IsBlocked(goal_)) Fault("the goal is not blocked");
+        return;
+      case PlanObstruction::kGoalUnreachable:
+        if (laid && MeetTheGoal(*laid)) Fault("the goal is in the part of the free ground in which the cable lies");
+        return;
+      case PlanObstruction::kStartBlocked:
+      case PlanObstruction::kLaidCableBlocked:
+        if (laid || laid.error().obstruction != result_.obstruction) return Fault("the cable is not blocked so");
+        for (std::string& fault : BlockedFaults(planner_, tether_, result_.obstruction)) Fault(std::move(fault));
+        return;
+      case PlanObstruction::kLaidCableTooLong:
+        if (result_.start.length <= result_.limit) Fault("the laid cable is not too long");
+        return;
+      case PlanObstruction::kTetherTooShort:
+        if (!result_.shortest_tether) Fault("the tether that the goal needs is missing");
+        return;
+    }
+  }
+
+  /// Whether one component of the free ground holds the whole cable and the goal.
+  bool MeetTheGoal(const LaidCable& laid) const {
+    std::vector<std::size_t> common = ground_.ComponentsAt(goal_);
+    Polyline cable = tether_.laid.value_or(Polyline{tether_.base});
+    cable[0] = laid.socket.exit.point;
+    for (const Point p : cable) {
+      const std::vector<std::size_t> here = ground_.ComponentsAt(p);
+      std::erase_if(common, [&here](std::size_t i) { return std::find(here.begin(), here.end(), i) == here.end(); });
+    }
+    return !common.empty();
   }
 
   void CheckMotion(const Motion& motion, const std::string& name, bool must_fit) {
@@ -149,11 +117,11 @@ class Verifier {
     if (!Near(path.back(), goal_)) Fault(name + " does not end at the goal");
     if (!Near(motion.tether.points.back(), goal_)) Fault(name + "'s tether does not end at the goal");
     if (!Near(motion.tether.points.front(), tether_.base)) Fault(name + "'s tether does not start at the base");
-    const Word expected = CountedWord(space_, result_.start.points) * CountedWord(space_, path);
-    if (CountedWord(space_, motion.tether.points) != expected) {
+    const Word expected = ground_.WordOf(result_.start.points) * ground_.WordOf(path);
+    if (ground_.WordOf(motion.tether.points) != expected) {
       Fault(name + "'s tether is not in the class that the path leaves behind");
     }
-    if (must_fit && motion.tether.length > result_.limit * (1 + kTetherTolerance)) {
+    if (must_fit && motion.tether.length > result_.limit * (1 + kLengthTolerance)) {
       Fault(name + "'s tether is too long");
     }
   }
@@ -190,10 +158,10 @@ class Verifier {
     ++verification_.samples;
     const TautPath tether = planner_.TetherAlong(laid.socket, walk);
     CheckCurve(tether, "the tether on the way", stub_);
-    if (CountedWord(space_, tether.points) != CountedWord(space_, passed)) {
+    if (ground_.WordOf(tether.points) != ground_.WordOf(passed)) {
       Fault("the tether on the way is not in the class of the path so far");
     }
-    if (tether.length > result_.limit * (1 + kTetherTolerance)) Fault("the tether is too long on the way");
+    if (tether.length > result_.limit * (1 + kLengthTolerance)) Fault("the tether is too long on the way");
   }
 
   void CheckShortestTether(bool has_stub) {
@@ -207,6 +175,7 @@ class Verifier {
 
   const TetherPlanner& planner_;
   const FreeSpace& space_;
+  RingGround ground_;
   const Tether& tether_;
   Point goal_;
   const PlanResult& result_;
@@ -217,27 +186,68 @@ class Verifier {
 
 }  // namespace
 
-std::vector<std::string> CurveFaults(const FreeSpace& space, const TautPath& path, bool has_stub) {
+std::vector<std::string> CurveFaults(const FreeSpace& space, const TautPath& path, const FreeSpace* stub_space) {
   std::vector<std::string> faults;
+  const RingGround ground(space);
   const Polyline& points = path.points;
   if (points.empty()) return {"has no points"};
-  const double tolerance = BoundaryTolerance(space);
-  const std::size_t first = has_stub ? 1 : 0;
+  const std::size_t first = stub_space != nullptr ? 1 : 0;
+  if (stub_space != nullptr && points.size() > 1) {
+    // The base may lie as far inside of a wall as the grown ground tells boundaries.
+    const double depth = std::max(BoundaryTolerance(space), BoundaryTolerance(*stub_space));
+    if (!RingGround(*stub_space).HoldsSegment(points[0], points[1], depth)) faults.emplace_back("leaves its socket");
+  }
   for (std::size_t i = first; i + 1 < points.size(); ++i) {
     if (points[i] == points[i + 1]) {
       faults.emplace_back("repeats a point");
-    } else if (!SegmentIsFree(space, points[i], points[i + 1], tolerance)) {
+    } else if (!ground.HoldsSegment(points[i], points[i + 1])) {
       faults.emplace_back("leaves the free space");
     }
   }
   for (std::size_t i = first + 1; i + 1 < points.size(); ++i) {
-    if (!BendsAroundObstacle(space, points[i - 1], points[i], points[i + 1])) {
+    if (!ground.BendsAroundObstacle(points[i - 1], points[i], points[i + 1])) {
       faults.emplace_back("is not taut at bend " + std::to_string(i));
     }
   }
   if (!SameLength(Length(points), path.length)) faults.emplace_back("has another length than it claims");
-  if (CountedWord(space, points) != path.word) faults.emplace_back("has another word than it claims");
+  if (ground.WordOf(points) != path.word) faults.emplace_back("has another word than it claims");
   return faults;
+}
+
+std::vector<std::string> LaidCableFaults(const TetherPlanner& planner, const Tether& tether, const LaidCable& laid,
+                                         const TautPath& taut) {
+  const FreeSpace& space = planner.space().free_space();
+  const bool has_stub = laid.socket.stub_length > 0 && taut.points.size() > 1;
+  std::vector<std::string> faults = CurveFaults(space, taut, has_stub ? &planner.ungrown_space() : nullptr);
+  Polyline as_laid = tether.laid.value_or(Polyline{tether.base});
+  if (has_stub) as_laid.insert(as_laid.begin() + 1, laid.socket.exit.point);
+  const RingGround ground(space);
+  if (ground.WordOf(as_laid) != ground.WordOf(taut.points))
+    faults.emplace_back("is not in the class of the laid cable");
+  return faults;
+}
+
+std::vector<std::string> BlockedFaults(const TetherPlanner& planner, const Tether& tether,
+                                       PlanObstruction obstruction) {
+  const RingGround ground(planner.space().free_space()), ungrown(planner.ungrown_space());
+  const auto socket = FindSocket(planner.space(), planner.ungrown(), tether.base);
+  if (!socket) {
+    if (!ground.IsBlocked(tether.base)) return {"the base is not blocked"};
+    for (const FreeComponent& component : planner.space().free_space().components) {
+      for (const Point exit : component.outer.points) {
+        if (ungrown.SurelyHolds(Polyline{tether.base, exit})) return {"a way leads out of the socket"};
+      }
+    }
+    return {};
+  }
+  if (obstruction == PlanObstruction::kStartBlocked) {
+    if (!tether.laid || !ground.IsBlocked(tether.laid->back())) return {"the robot does not stand on blocked ground"};
+    return {};
+  }
+  Polyline cable = tether.laid.value_or(Polyline{tether.base});
+  cable[0] = socket->exit.point;
+  if (ground.SurelyHolds(cable)) return {"the laid cable does not leave the free ground"};
+  return {};
 }
 
 Verification VerifyPlan(const TetherPlanner& planner, const Tether& tether, Point goal, const PlanResult& result,

@@ -30,13 +30,24 @@ struct VerifyOptions {
 /// a count of ray crossings of its own. By uniqueness of the taut curve in a class, matching words then prove that the
 /// start is the laid cable pulled taut and that the tether at the goal is the one that the motion leaves behind. Along
 /// the motion the tether is proposed by the engine, checked in the same way, and compared with the limit. For an
-/// infeasible result it checks the shortest tether that is named. O(samples * corners * n) for n boundary vertices.
+/// infeasible result it checks the reason: that the goal, the robot or the cable really is on blocked ground, that no
+/// component holds both cable and goal, that the laid cable or the shortest tether named is longer than the limit. A
+/// socket's stub must lie in the free ground without clearance. O(samples * corners * n) for n boundary vertices, and
+/// O(n^2) where a base is said to have no way out of its socket.
 Verification VerifyPlan(const TetherPlanner& planner, const Tether& tether, Point goal, const PlanResult& result,
                         const VerifyOptions& options = {});
 
-/// The checks of a single curve that VerifyPlan is made of: every fault of a taut curve in a free space. With a stub,
-/// the first segment is a socket's and only its length is checked.
-std::vector<std::string> CurveFaults(const FreeSpace& space, const TautPath& path, bool has_stub = false);
+/// The checks of a single curve that VerifyPlan is made of: every fault of a taut curve in a free space. With a
+/// `stub_space`, the first segment is a socket's and must lie in that, the free space without clearance.
+std::vector<std::string> CurveFaults(const FreeSpace& space, const TautPath& path,
+                                     const FreeSpace* stub_space = nullptr);
+
+/// The same for the laid cable pulled taut, base first, with its stub: it must be of the class of the cable as laid.
+std::vector<std::string> LaidCableFaults(const TetherPlanner& planner, const Tether& tether, const LaidCable& laid,
+                                         const TautPath& taut);
+
+/// What speaks against the claim that the cable cannot lie as it is said to: kStartBlocked or kLaidCableBlocked.
+std::vector<std::string> BlockedFaults(const TetherPlanner& planner, const Tether& tether, PlanObstruction obstruction);
 
 }  // namespace tautline
 

@@ -1,5 +1,6 @@
 #include "tautline/planners/tether/verify_plan.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -116,6 +117,52 @@ TEST_F(VerifyPlanTest, RejectsAStartThatIsNotTheLaidCable) {
 TEST_F(VerifyPlanTest, RejectsATetherBeyondTheLimit) {
   EXPECT_FALSE(AcceptsSpoilt([&](PlanResult& result) { std::swap(result.motion, result.rejected); }));
   EXPECT_FALSE(AcceptsSpoilt([](PlanResult& result) { result.limit = 9; })) << "too long at the start";
+}
+
+TEST_F(VerifyPlanTest, RejectsAReasonThatDoesNotHold) {
+  for (const PlanObstruction obstruction :
+       {PlanObstruction::kNone, PlanObstruction::kStartBlocked, PlanObstruction::kGoalBlocked,
+        PlanObstruction::kGoalUnreachable, PlanObstruction::kLaidCableBlocked, PlanObstruction::kLaidCableTooLong,
+        PlanObstruction::kTetherTooShort}) {
+    PlanResult result;
+    result.status = PlanStatus::kInfeasible;
+    result.obstruction = obstruction;
+    result.limit = result_.limit;
+    result.start = result_.start;
+    EXPECT_FALSE(Accepts(result)) << ToString(obstruction);
+  }
+}
+
+TEST_F(VerifyPlanTest, AcceptsReasonsThatHold) {
+  const Point inside{3.5, 5}, free = sketch_['R'];
+  const auto accepts = [&](const Tether& tether, Point goal, PlanObstruction expected) {
+    const PlanResult result = planner_.Plan(tether, goal);
+    EXPECT_EQ(result.obstruction, expected);
+    return VerifyPlan(planner_, tether, goal, result).ok();
+  };
+  const Point base = sketch_['B'];
+  EXPECT_TRUE(accepts(tether_, inside, PlanObstruction::kGoalBlocked));
+  EXPECT_TRUE(accepts({inside, 9, {}}, free, PlanObstruction::kStartBlocked));
+  EXPECT_TRUE(accepts({base, 9, Polyline{base, {2, 6.5}, inside}}, free, PlanObstruction::kStartBlocked));
+  EXPECT_TRUE(accepts({base, 9, Polyline{base, {6, 4.5}}}, free, PlanObstruction::kLaidCableBlocked));
+  EXPECT_TRUE(accepts({base, 9, tether_.laid}, free, PlanObstruction::kLaidCableTooLong));
+  EXPECT_TRUE(accepts({base, 3, {}}, free, PlanObstruction::kTetherTooShort));
+}
+
+TEST(VerifyPlan, RejectsAStubThroughAWall) {
+  World world;
+  world.outline = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  world.obstacles = {{.name = "bar", .polygon = PolygonWithHoles{{{2, 0.8}, {8, 0.8}, {8, 0.9}, {2, 0.9}}}}};
+  world.clearance = 0.5;
+  const auto planner = TetherPlanner::Prepare(world).value();
+  const Tether tether{{5, 0.6}, 20, {}};
+  const Point goal{5, 5};
+  const PlanResult result = planner.Plan(tether, goal);
+  ASSERT_EQ(result.status, PlanStatus::kSolved) << "out to the side";
+  EXPECT_TRUE(VerifyPlan(planner, tether, goal, result).ok());
+  const TautPath through = planner.space().MakePath({tether.base, {5, 1.4}, goal});
+  EXPECT_THAT(CurveFaults(planner.space().free_space(), through, &planner.ungrown_space()),
+              testing::Contains("leaves its socket"));
 }
 
 TEST_F(VerifyPlanTest, RejectsASolutionWithoutAMotion) {

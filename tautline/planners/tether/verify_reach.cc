@@ -57,8 +57,8 @@ class ReachCheck {
 
   void CheckCurve(const TautPath& path) {
     ++verification_.curves;
-    const bool has_stub = result_.socket->stub_length > 0;
-    for (const std::string& fault : CurveFaults(planner_.space().free_space(), path, has_stub)) {
+    const FreeSpace* stub_space = result_.socket->stub_length > 0 ? &planner_.ungrown_space() : nullptr;
+    for (const std::string& fault : CurveFaults(planner_.space().free_space(), path, stub_space)) {
       Fault("a tether " + fault);
     }
   }
