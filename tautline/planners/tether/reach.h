@@ -17,6 +17,7 @@
 
 namespace tautline {
 
+/// What is asked.
 struct ReachOptions {
   bool sheets = false;             ///< Also class by class.
   std::int64_t budget = 100'000;   ///< Taut walks, for `sheets`, after which the count stops with kBudgetExceeded.
@@ -29,6 +30,7 @@ struct ReachOptions {
 
 /// What the tether can do at one point.
 struct ReachPoint {
+  /// The point itself, metres.
   Point point;
   /// kNone where the robot can go; else kGoalBlocked, kGoalUnreachable or kTetherTooShort.
   PlanObstruction obstruction = PlanObstruction::kNone;
@@ -37,7 +39,9 @@ struct ReachPoint {
   std::optional<ClassList> classes;      ///< With ReachOptions::sheets: those within the limit, shortest first.
 };
 
+/// The answer: the region, and what was asked besides.
 struct ReachResult {
+  /// How the search ended.
   PlanStatus status = PlanStatus::kInfeasible;
   PlanObstruction obstruction = PlanObstruction::kNone;  ///< kStartBlocked, or kTetherTooShort to leave a socket.
   std::string explanation;                               ///< One sentence with the numbers, unless solved.

@@ -14,11 +14,13 @@ namespace tautline {
 
 /// All points that the tether can reach in classes of one word.
 struct Sheet {
+  /// That of all tethers to it.
   Word word;
   double area = 0;                ///< Square metres.
   std::vector<RegionRing> rings;  ///< Bounded by walls, arcs, and cuts along the rays.
 };
 
+/// The ball that is cut into sheets.
 struct SheetOptions {
   Place root;                     ///< Where the tether comes into the free space; counts for all sectors there.
   Word prefix;                    ///< What it has written before, in a socket.
@@ -27,6 +29,7 @@ struct SheetOptions {
   Watcher watch = {};             ///< Told of the share of the budget; at a no the list ends incomplete.
 };
 
+/// What was found.
 struct SheetList {
   std::vector<Sheet> sheets;  ///< Of a complete list; shorter words first, words of one length in their order.
   std::int64_t classes = 0;   ///< Words that were met; the number of sheets.
