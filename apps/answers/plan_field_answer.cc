@@ -62,6 +62,7 @@ Json ToJson(const PlanFieldAnswer& answer, Point goal) {
 
 std::vector<CheckedRow> RunRows(int rows, const std::function<CheckedRow(int row)>& compute) {
   std::vector<CheckedRow> all;
+  all.reserve(static_cast<std::size_t>(rows));
   for (int row = 0; row < rows; ++row) all.push_back(compute(row));
   return all;
 }

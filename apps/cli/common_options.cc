@@ -63,7 +63,7 @@ std::optional<Error> TwoOutputsInOne(const CommonOptions& options) {
     for (std::size_t k = i + 1; k < outputs.size(); ++k) {
       if (!SameFile(outputs[i].second, outputs[k].second)) continue;
       return Error{ErrorCode::kInvalidInput,
-                   outputs[i].first + " and " + outputs[k].first + " name the same file; give each its own",
+                   fmt::format("{} and {} name the same file; give each its own", outputs[i].first, outputs[k].first),
                    outputs[i].second};
     }
   }

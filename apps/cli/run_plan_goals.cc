@@ -69,7 +69,7 @@ Expected<int> RunPlanGoals(const PlanCommand& command) {
     const std::string bytes = PreparedFile::Write(plans->planner(), scene->world);
     if (auto added = files.Add(command.common.save_prepared, bytes); !added) return tl::unexpected(added.error());
   }
-  const auto status = PrintLines(*plans, *goals, command.common.threads, progress);
+  auto status = PrintLines(*plans, *goals, command.common.threads, progress);
   if (!status) return status;
   if (const auto placed = files.Commit(); !placed) return tl::unexpected(placed.error());
   return status;

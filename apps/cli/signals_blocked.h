@@ -10,8 +10,11 @@ namespace tautline::cli {
 /// Keeps signals waiting for the calling thread, and for threads that it starts, while it lives.
 class SignalsBlocked {
  public:
-  /// Blocks the signals that end the program for `HandleSignals`, or those given.
-  explicit SignalsBlocked(std::initializer_list<int> signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+  /// Blocks the signals with which `HandleSignals` ends the program.
+  SignalsBlocked() : SignalsBlocked({SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {}
+
+  /// Blocks these alone.
+  SignalsBlocked(std::initializer_list<int> signals) {
     sigset_t set;
     sigemptyset(&set);
     for (const int signal : signals) sigaddset(&set, signal);

@@ -67,6 +67,7 @@ class PlanField {
   /// The plan of a robot at the base: where it has none, there is none from anywhere, for the same reason.
   const PlanResult& from_base() const { return from_base_; }
 
+  /// Where the points are.
   const FieldGrid& grid() const { return grid_; }
 
   /// The samples of a row that the tether can reach. Classes of more than the first cost a search each point; the rest

@@ -91,12 +91,12 @@ std::string WithContent(const std::string& bytes, const std::string& content) {
 }
 
 TEST(PreparedFile, ForgedContentIsRefusedOrPlannedWith) {
+  const Scene scene = AScene();
+  const std::string bytes = PreparedFile::Write(TetherPlanner::Prepare(scene.world).value(), scene.world);
   int refused = 0, read = 0;
   for (std::int64_t seed = 0; seed < ScaledTestCount(3000); ++seed) {
     SCOPED_TRACE(seed);
     Rng rng(static_cast<std::uint64_t>(seed));
-    const Scene scene = AScene();
-    const std::string bytes = PreparedFile::Write(TetherPlanner::Prepare(scene.world).value(), scene.world);
     std::string content = bytes.substr(bytes.find('\n', bytes.find('\n') + 1) + 1);
     ASSERT_EQ(WithContent(bytes, content), bytes);
     for (std::int64_t i = rng.UniformInt(1, 3); i > 0; --i) {
@@ -119,7 +119,8 @@ TEST(PreparedFile, ForgedContentIsRefusedOrPlannedWith) {
 }
 
 TEST(PreparedFile, RingsThatCrossOrRunTheWrongWayAreRefused) {
-  const Scene scene = AScene();
+  Scene scene;  // Two corners of a square exchanged make two edges cross.
+  scene.world.outline = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
   const std::string bytes = PreparedFile::Write(TetherPlanner::Prepare(scene.world).value(), scene.world);
   const std::string content = bytes.substr(bytes.find('\n', bytes.find('\n') + 1) + 1);
   const auto forged = [&](const auto& change) {
@@ -132,7 +133,7 @@ TEST(PreparedFile, RingsThatCrossOrRunTheWrongWayAreRefused) {
   constexpr std::ptrdiff_t kPoint = 16;  // Bytes.
   EXPECT_EQ(forged([](auto&, auto&) {}), "none");
   EXPECT_THAT(forged([](auto& points, auto&) {
-                std::swap_ranges(points.begin(), points.begin() + kPoint, points.begin() + kPoint);
+                std::swap_ranges(points.begin(), points.begin() + kPoint, points.begin() + 4 * kPoint);
               }),
               HasSubstr("damaged"));
   EXPECT_THAT(forged([](auto& points, auto&) {
