@@ -159,7 +159,7 @@ TEST(CheckWorld, TooManyCornersAreRefusedBeforeAnyWork) {
               for (int i = 0; i < 120000; ++i) comb.push_back({1 + 1e-4 * i, 2.0 + i % 2});
               comb.push_back({13, 1});
             }).find("corners with its clearance, more than 64000000: simplify it"),
-            16u);
+            19u);
 }
 
 }  // namespace
