@@ -11,6 +11,7 @@
 #include "apps/cli/prepared_options.h"
 #include "tautline/draw/draw_field.h"
 #include "tautline/planners/tether/prepared_file.h"
+#include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
 namespace {

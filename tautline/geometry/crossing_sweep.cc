@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numeric>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "tautline/geometry/predicates.h"
@@ -56,7 +57,7 @@ class CrossingSweep {
   using Line = std::set<std::size_t, Order>;
 
   /// Everything that happens in one point: edges end, start, or pass through it.
-  void PassPoint(Point p, std::vector<std::size_t> vertices) {
+  void PassPoint(Point p, std::span<const std::size_t> vertices) {
     const auto [low, high] = line_.equal_range(p);
     std::vector<std::size_t> meeting(low, high), starting;
     for (const std::size_t vertex : vertices) {

@@ -21,7 +21,7 @@ struct EdgePlace {
 class Boundaries {
  public:
   Boundaries(const std::vector<SourcedRing>& rings, double tolerance)
-      : rings_(rings), tolerance_(tolerance), index_(Segments()) {
+      : rings_(rings), tolerance_(tolerance), index_(Segments()), vertices_(Vertices()) {
     for (const SourcedRing& ring : rings) {
       now_.emplace_back();
       for (const Point p : ring.points) now_.back().push_back({p});
@@ -111,7 +111,7 @@ class Boundaries {
     const Point a = StartOf(edge), b = StartOf(NextOf(edge));
     const std::int32_t source = rings_[edge.ring].source;
     std::vector<VertexMove> bends;
-    index_.ForEachAlong(a, b, tolerance_, [&](std::size_t k) {
+    vertices_.ForEachAlong(a, b, tolerance_, [&](std::size_t k) {
       const auto [ring, vertex] = places_[k];
       const Point v = StartOf(places_[k]);
       if (rings_[ring].source >= source || Distance(v, a) <= tolerance_ || Distance(v, b) <= tolerance_) return;
@@ -142,10 +142,17 @@ class Boundaries {
     return segments;
   }
 
+  std::vector<BoxIndex::Segment> Vertices() const {
+    std::vector<BoxIndex::Segment> vertices;
+    for (const EdgePlace place : places_) vertices.emplace_back(StartOf(place), StartOf(place));
+    return vertices;
+  }
+
   const std::vector<SourcedRing>& rings_;
   double tolerance_;
   std::vector<EdgePlace> places_;
   BoxIndex index_;
+  BoxIndex vertices_;  ///< Long edges close to each other share many cells, their vertices few.
   /// By ring and vertex: where the vertex is now, and the points that the edge from it passes before the next vertex.
   std::vector<std::vector<Polyline>> now_;
 };

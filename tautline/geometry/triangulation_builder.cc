@@ -346,14 +346,14 @@ void TriangulationBuilder::FlipAway(Channel& channel) {
     beside.push_back(channel.crossings[at].before);
     beside.push_back(channel.crossings[at].after);
   };
-  while (channel.first != channel.kEnd) {
-    for (std::size_t at = channel.first; at != channel.kEnd; at = channel.crossings[at].after) {
+  while (channel.first != Channel::kEnd) {
+    for (std::size_t at = channel.first; at != Channel::kEnd; at = channel.crossings[at].after) {
       if (channel.crossings[at].gone || !FlipCrossing(at, false, channel)) continue;
       add_beside(at);
       while (!beside.empty()) {
         const std::size_t next = beside.back();
         beside.pop_back();
-        if (next == channel.kEnd || channel.crossings[next].gone || !FlipCrossing(next, true, channel)) continue;
+        if (next == Channel::kEnd || channel.crossings[next].gone || !FlipCrossing(next, true, channel)) continue;
         add_beside(next);
       }
     }
