@@ -216,8 +216,7 @@ std::string Taut() {
 
 std::string ReachPicture(const ReachOptions& options, Point base = {1, 1}, double length = 9) {
   Example room = Room();
-  room.scene.tether->base = base;
-  room.scene.tether->length = length;
+  room.scene.tether = Tether{.base = base, .length = length, .laid = {}};
   return DrawReach(room.scene, room.space, Reach(room.scene, options).value());
 }
 

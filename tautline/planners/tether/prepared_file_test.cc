@@ -121,6 +121,9 @@ TEST(PreparedFile, ForgedContentIsRefusedOrPlannedWith) {
 TEST(PreparedFile, RingsThatCrossOrRunTheWrongWayAreRefused) {
   Scene scene;  // Two corners of a square exchanged make two edges cross.
   scene.world.outline = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  Obstacle block;
+  block.polygon = PolygonWithHoles{{{4, 4}, {6, 4}, {6, 6}, {4, 6}}, {}};
+  scene.world.obstacles.push_back(block);
   const std::string bytes = PreparedFile::Write(TetherPlanner::Prepare(scene.world).value(), scene.world);
   const std::string content = bytes.substr(bytes.find('\n', bytes.find('\n') + 1) + 1);
   const auto forged = [&](const auto& change) {
@@ -133,7 +136,7 @@ TEST(PreparedFile, RingsThatCrossOrRunTheWrongWayAreRefused) {
   constexpr std::ptrdiff_t kPoint = 16;  // Bytes.
   EXPECT_EQ(forged([](auto&, auto&) {}), "none");
   EXPECT_THAT(forged([](auto& points, auto&) {
-                std::swap_ranges(points.begin(), points.begin() + kPoint, points.begin() + 4 * kPoint);
+                std::swap_ranges(points.begin(), points.begin() + kPoint, points.begin() + kPoint);
               }),
               HasSubstr("damaged"));
   EXPECT_THAT(forged([](auto& points, auto&) {
