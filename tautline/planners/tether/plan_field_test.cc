@@ -57,7 +57,7 @@ TEST(PlanField, HeadingsShortenTheWayAndLengthsAreThoseOfPlan) {
       ++steps;
     }
   }
-  EXPECT_GT(steps, 500);
+  EXPECT_GT(steps, 5 * ScaledTestCount(60));
 }
 
 /// Every point with its classes, found one by one.

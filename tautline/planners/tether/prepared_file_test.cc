@@ -114,8 +114,8 @@ TEST(PreparedFile, ForgedContentIsRefusedOrPlannedWith) {
     } catch (const std::logic_error&) {  // A plan along forged sight finds that it leaves the free ground.
     }
   }
-  EXPECT_GT(refused, 1000);
-  EXPECT_GT(read, 10);
+  EXPECT_GT(refused, ScaledTestCount(1000));
+  EXPECT_GT(read, ScaledTestCount(10));
 }
 
 TEST(PreparedFile, RingsThatCrossOrRunTheWrongWayAreRefused) {
