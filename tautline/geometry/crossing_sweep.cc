@@ -26,7 +26,7 @@ class CrossingSweep {
     for (auto begin = vertices.begin(); begin != vertices.end() && !edges_.crossing();) {
       const Point p = edges_.At(*begin);
       const auto end = std::find_if(begin, vertices.end(), [&](std::size_t i) { return edges_.At(i) != p; });
-      PassPoint(p, {begin, end});
+      PassPoint(p, {&*begin, static_cast<std::size_t>(end - begin)});  // By pointer: libc++ 14 takes no iterators.
       begin = end;
     }
   }
