@@ -9,8 +9,8 @@
 namespace tautline {
 
 /// The answer to one goal.
-struct GoalAnswer {
-  Json json;  ///< The document of `plan` with the goal.
+struct GoalAnswer {  // NOLINT(bugprone-exception-escape): the JSON library moves its values without noexcept.
+  Json json;         ///< The document of `plan` with the goal.
   ExitStatus status = kExitSolved;
 };
 

@@ -74,8 +74,8 @@ std::optional<Error> TwoOutputsInOne(const CommonOptions& options) {
 std::optional<Error> OutputIsInput(const CommonOptions& options, const std::string& input) {
   for (const auto& [option, output] : OutputsOf(options)) {
     if (input.empty() || !SameFile(output, input)) continue;
-    return Error{ErrorCode::kInvalidInput, option + " would replace the input " + input + "; name another file",
-                 output};
+    return Error{ErrorCode::kInvalidInput,
+                 fmt::format("{} would replace the input {}; name another file", option, input), output};
   }
   return std::nullopt;
 }

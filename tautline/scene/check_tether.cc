@@ -31,11 +31,11 @@ double SamePointTolerance(const Box& world) {
 }
 
 Expected<void> CheckTether(const Tether& tether, const Box& world) {
-  if (const auto base = Checked("tether.base", PointFault(tether.base)); !base) return base;
-  if (const auto length = Checked("tether.length", NonNegativeFault(tether.length)); !length) return length;
+  if (auto base = Checked("tether.base", PointFault(tether.base)); !base) return base;
+  if (auto length = Checked("tether.length", NonNegativeFault(tether.length)); !length) return length;
   if (!tether.laid) return {};
   if (tether.laid->empty()) return InvalidInput("tether.laid has 0 points: it needs 1 or more");
-  if (const auto laid = Checked("tether.laid", PointsFault(*tether.laid)); !laid) return laid;
+  if (auto laid = Checked("tether.laid", PointsFault(*tether.laid)); !laid) return laid;
   const Point first = tether.laid->front();
   if (Distance(first, tether.base) <= SamePointTolerance(world)) return {};
   return InvalidInput("tether.laid must start at the base, at " + ToText(tether.base) + ", not at " + ToText(first));

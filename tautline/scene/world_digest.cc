@@ -28,7 +28,8 @@ class Digest {
     for (const Point p : ring) Add(p);
   }
   void Add(const Obstacle& obstacle) {
-    Add(std::string_view(obstacle.name));
+    const std::string_view name = obstacle.name;
+    Add(name);
     Add(static_cast<std::uint64_t>(obstacle.polygon.has_value()));
     if (obstacle.polygon) {
       Add(obstacle.polygon->outer);

@@ -203,8 +203,8 @@ PreparedGoal TetherPlanner::GoalAt(Point goal) const {
 
 PreparedGoal TetherPlanner::PrepareGoal(Point goal) const {
   PreparedGoal prepared = GoalAt(goal);
-  if (prepared.place_)
-    prepared.field_.emplace(*space_, *prepared.place_).GrowTo(std::numeric_limits<double>::infinity());
+  if (!prepared.place_) return prepared;
+  prepared.field_.emplace(*space_, *prepared.place_).GrowTo(std::numeric_limits<double>::infinity());
   return prepared;
 }
 

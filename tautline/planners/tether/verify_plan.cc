@@ -222,8 +222,8 @@ std::vector<std::string> LaidCableFaults(const TetherPlanner& planner, const Tet
   Polyline as_laid = tether.laid.value_or(Polyline{tether.base});
   if (has_stub) as_laid.insert(as_laid.begin() + 1, laid.socket.exit.point);
   const RingGround ground(space);
-  if (ground.WordOf(as_laid) != ground.WordOf(taut.points))
-    faults.emplace_back("is not in the class of the laid cable");
+  const bool same_class = ground.WordOf(as_laid) == ground.WordOf(taut.points);
+  if (!same_class) faults.emplace_back("is not in the class of the laid cable");
   return faults;
 }
 
