@@ -14,6 +14,8 @@ import tempfile
 import time
 import unittest
 
+from refusals import Refusals
+
 PROGRAM = ""
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENE, LARGE = str(ROOT / "scenes/pillar.yaml"), str(ROOT / "scenes/willow_demo.yaml")
@@ -43,7 +45,7 @@ def mounted(*arguments):
             subprocess.run(["umount", arguments[-1]], check=True)
 
 
-class Outputs(unittest.TestCase):
+class Outputs(Refusals, unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
@@ -61,14 +63,6 @@ class Outputs(unittest.TestCase):
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         return process
-
-    def expect_refused(self, process, *words):
-        """Exit status 2, one line that holds the words, nothing on standard output."""
-        self.assertEqual(process.returncode, BAD_OUTPUT, process.stderr)
-        self.assertEqual(process.stderr.count("\n"), 1, process.stderr)
-        for word in words:
-            self.assertIn(word, process.stderr)
-        self.assertFalse(process.stdout)
 
     # Ctrl-C
 

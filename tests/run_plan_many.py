@@ -18,6 +18,8 @@ import tempfile
 import time
 import unittest
 
+from refusals import Refusals
+
 PROGRAM = ""
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROOM, OFFICE = str(ROOT / "scenes/store_room.yaml"), str(ROOT / "scenes/willow_demo.yaml")
@@ -25,7 +27,7 @@ TIMEOUT_S = 120
 
 
 # Exit statuses of docs/formats.md.
-SOLVED, BAD_INPUT, INFEASIBLE, INTERRUPTED, CLOSED_PIPE = 0, 2, 3, 130, 141
+SOLVED, INFEASIBLE, INTERRUPTED, CLOSED_PIPE = 0, 3, 130, 141
 
 
 def call(*arguments, **how):
@@ -42,7 +44,7 @@ def scene_with_goal(folder, scene, goal):
     return copy
 
 
-class Many(unittest.TestCase):
+class Many(Refusals, unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
@@ -53,14 +55,6 @@ class Many(unittest.TestCase):
     def write(self, name, text):
         (self.folder / name).write_text(text)
         return self.folder / name
-
-    def expect_refused(self, process, *words):
-        """Exit status 2, one line that holds the words, nothing on standard output."""
-        self.assertEqual(process.returncode, BAD_INPUT, process.stderr)
-        self.assertEqual(process.stderr.count("\n"), 1, process.stderr)
-        for word in words:
-            self.assertIn(word, process.stderr)
-        self.assertFalse(process.stdout)
 
 
 class Goals(Many):

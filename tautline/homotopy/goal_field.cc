@@ -45,7 +45,7 @@ GoalField::GoalField(const TautSpace& space, Place goal, GoalFieldOptions option
       leg_at_(space.corners().size(), -1),
       open_end_(space.graph().stances()),
       open_from_(space.graph().stances(), EdgeId(-1)) {
-  for (const Place& sector : options.one_sector ? std::vector<Place>{goal} : space.mesh().Sectors(goal)) {
+  for (const Place& sector : space.mesh().Sectors(goal)) {
     for (const TautLeg& leg : LegsFrom(space, sector)) {
       leg_at_[leg.corner.index()] = static_cast<std::int32_t>(legs_.size());
       legs_.push_back(leg);

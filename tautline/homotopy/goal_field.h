@@ -40,8 +40,6 @@ std::vector<FirstLeg> FirstLegsFrom(const TautSpace& space, const Walk& walk);
 struct GoalFieldOptions {
   /// Where searches will start: the field grows towards the nearest of these points; without any, evenly.
   std::vector<Point> targets;
-  /// Where the goal lies on a vertex at which blocked ground touches, it is reached through its own sector only.
-  bool one_sector = false;
   /// Asked while the field grows; when it says stop, GrowTo throws Stopped.
   KeepGoing keep_going;
 };
@@ -66,8 +64,6 @@ class GoalField {
   /// No way from the corner to the goal that is not known yet is shorter than this, metres; it may be negative.
   double LeastUnknown(CornerId corner) const { return radius_ - ToTarget(corner); }
 
-  /// The space that the field lies in.
-  const TautSpace& space() const { return *space_; }
   /// Where all distances end.
   const Place& goal() const { return goal_; }
 

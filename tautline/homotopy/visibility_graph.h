@@ -41,11 +41,6 @@ SightList SeeFromAllCorners(const FreeMesh& mesh, const Corners& corners, const 
 struct EdgeRange {
   EdgeId first;  ///< The first edge.
   EdgeId last;   ///< Past the last edge.
-
-  /// Whether there is no edge.
-  bool empty() const { return first >= last; }
-  /// How many edges there are.
-  std::size_t size() const { return last.index() - first.index(); }
 };
 
 /// Where a taut walk stands: on a corner with its obstacle on one side. The edges that leave a corner with its obstacle
