@@ -73,7 +73,8 @@ void GoalField::GrowTo(double radius) {
     queue_.pop();
     Settle(entry);
   }
-  radius_ = queue_.empty() ? kInfinity : std::max(radius_, radius);
+  radius_ = std::max(radius_, radius);
+  if (queue_.empty()) radius_ = kInfinity;
 }
 
 /// Offers a way to the goal to all edges that come in at the corner where it starts and can turn into it.

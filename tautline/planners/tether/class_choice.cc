@@ -111,8 +111,9 @@ class ClassChoiceSearch {
   }
 
   void GrowField(double known) {
-    const double radius = kGrowth * known + kLeastGrowth * options_.max_tether;
-    field_.GrowTo(radius > known ? radius : kInfinity);
+    double radius = kGrowth * known + kLeastGrowth * options_.max_tether;
+    if (!(radius > known)) radius = kInfinity;
+    field_.GrowTo(radius);
   }
 
   void Push(const Label& label, double total) {
