@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/answers/verification.h"
+#include "tautline/homotopy/curve_faults.h"
 #include "tautline/homotopy/word_path.h"
 #include "tautline/planners/tether/explain.h"
 #include "tautline/planners/tether/verify_plan.h"

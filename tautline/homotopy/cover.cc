@@ -116,6 +116,21 @@ class StraightWalk {
   TriangleId at_;
 };
 
+/// The triangles after `start` around a vertex of it, up to `goal`; none when a wall comes before it.
+std::vector<TriangleId> FanTo(const FreeMesh& mesh, TriangleId start, VertexId vertex, bool counter_clockwise,
+                              TriangleId goal) {
+  std::vector<TriangleId> passed;
+  TriangleId at = start;
+  do {
+    const int k = mesh.triangle(at).IndexOf(vertex);
+    const int side = counter_clockwise ? Next(k) : Previous(k);
+    if (mesh.triangle(at).is_constrained(side)) return {};
+    at = mesh.triangle(at).neighbour(side);
+    passed.push_back(at);
+  } while (at != goal && at != start);
+  return at == goal ? passed : std::vector<TriangleId>{};
+}
+
 }  // namespace
 
 Sleeve Sleeve::Reversed() const {
@@ -126,6 +141,29 @@ Sleeve Sleeve::Reversed() const {
 
 std::optional<Point> WalkStraight(const FreeMesh& mesh, Point to, Walk& walk) {
   return StraightWalk(mesh, to, walk).Run();
+}
+
+bool TurnInto(const FreeMesh& mesh, TriangleId triangle, Walk& walk) {
+  const TriangleId start = walk.sleeve.back();
+  if (start == triangle) return true;
+  for (int i = 0; i < 3; ++i) {
+    const Point tail = mesh.triangulation().corner(start, Next(i)),
+                tip = mesh.triangulation().corner(start, Previous(i));
+    if (mesh.triangle(start).is_constrained(i) || mesh.triangle(start).neighbour(i) != triangle) continue;
+    if (!OnSegment(tail, tip, walk.at)) continue;
+    walk.sleeve.Step(triangle);
+    return true;
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (mesh.triangulation().corner(start, i) != walk.at) continue;
+    for (const bool counter_clockwise : {true, false}) {
+      std::vector<TriangleId> passed = FanTo(mesh, start, mesh.triangle(start).vertex(i), counter_clockwise, triangle);
+      if (passed.empty()) continue;
+      for (const TriangleId step : passed) walk.sleeve.Step(step);
+      return true;
+    }
+  }
+  return false;
 }
 
 std::optional<Point> WalkNearly(const FreeMesh& mesh, Point to, double tolerance, Walk& walk) {

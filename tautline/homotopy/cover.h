@@ -67,6 +67,11 @@ struct Walk {
 /// it. O(triangles crossed).
 std::optional<Point> WalkStraight(const FreeMesh& mesh, Point to, Walk& walk);
 
+/// Turns a walk on the spot into a free triangle that holds the place where it stands: around a vertex within its
+/// sector, or across the edge that it stands on. False, and nothing done, when the triangle is not to be had so.
+/// O(degree).
+bool TurnInto(const FreeMesh& mesh, TriangleId triangle, Walk& walk);
+
 /// As WalkStraight, but a segment that cuts a corner by up to `tolerance` metres is led around it.
 std::optional<Point> WalkNearly(const FreeMesh& mesh, Point to, double tolerance, Walk& walk);
 

@@ -1,4 +1,4 @@
-#include "tautline/planners/tether/socket.h"
+#include "tautline/homotopy/socket.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "tautline/base/test_scale.h"
 #include "tautline/geometry/predicates.h"
 #include "tautline/homotopy/random_scene.h"
-#include "tautline/planners/tether/ring_ground.h"
+#include "tautline/homotopy/ring_ground.h"
 #include "tautline/planners/tether/tether_planner.h"
 
 namespace tautline {

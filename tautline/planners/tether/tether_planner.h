@@ -9,7 +9,7 @@
 #include "tautline/homotopy/classes.h"
 #include "tautline/homotopy/taut_space.h"
 #include "tautline/planners/tether/plan.h"
-#include "tautline/planners/tether/socket.h"
+#include "tautline/homotopy/socket.h"
 
 namespace tautline {
 

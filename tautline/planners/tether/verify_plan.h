@@ -37,12 +37,8 @@ struct VerifyOptions {
 Verification VerifyPlan(const TetherPlanner& planner, const Tether& tether, Point goal, const PlanResult& result,
                         const VerifyOptions& options = {});
 
-/// The checks of a single curve that VerifyPlan is made of: every fault of a taut curve in a free space. With a
-/// `stub_space`, the first segment is a socket's and must lie in that, the free space without clearance.
-std::vector<std::string> CurveFaults(const FreeSpace& space, const TautPath& path,
-                                     const FreeSpace* stub_space = nullptr);
-
-/// The same for the laid cable pulled taut, base first, with its stub: it must be of the class of the cable as laid.
+/// Every fault (CurveFaults) of the laid cable pulled taut, base first, with its stub: it must be of the class of the
+/// cable as laid.
 std::vector<std::string> LaidCableFaults(const TetherPlanner& planner, const Tether& tether, const LaidCable& laid,
                                          const TautPath& taut);
 

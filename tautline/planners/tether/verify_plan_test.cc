@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "tautline/homotopy/classes.h"
+#include "tautline/homotopy/curve_faults.h"
 #include "tautline/homotopy/sketched_scene.h"
 
 namespace tautline {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tautline/homotopy/curve_faults.h"
+
 namespace tautline {
 namespace {
 

@@ -1,6 +1,6 @@
 // A base that stands closer to a wall than the clearance.
-#ifndef TAUTLINE_PLANNERS_TETHER_SOCKET_H_
-#define TAUTLINE_PLANNERS_TETHER_SOCKET_H_
+#ifndef TAUTLINE_HOMOTOPY_SOCKET_H_
+#define TAUTLINE_HOMOTOPY_SOCKET_H_
 
 #include <optional>
 
@@ -24,4 +24,4 @@ std::optional<Socket> FindSocket(const TautSpace& space, const FreeMesh& ungrown
 
 }  // namespace tautline
 
-#endif  // TAUTLINE_PLANNERS_TETHER_SOCKET_H_
+#endif  // TAUTLINE_HOMOTOPY_SOCKET_H_

@@ -1,6 +1,6 @@
 // The free space as its boundary rings alone tell it: no mesh and no graph, for checks of answers that come from those.
-#ifndef TAUTLINE_PLANNERS_TETHER_RING_GROUND_H_
-#define TAUTLINE_PLANNERS_TETHER_RING_GROUND_H_
+#ifndef TAUTLINE_HOMOTOPY_RING_GROUND_H_
+#define TAUTLINE_HOMOTOPY_RING_GROUND_H_
 
 #include <cstddef>
 #include <span>
@@ -53,4 +53,4 @@ class RingGround {
 
 }  // namespace tautline
 
-#endif  // TAUTLINE_PLANNERS_TETHER_RING_GROUND_H_
+#endif  // TAUTLINE_HOMOTOPY_RING_GROUND_H_

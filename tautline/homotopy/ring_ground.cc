@@ -1,4 +1,4 @@
-#include "tautline/planners/tether/ring_ground.h"
+#include "tautline/homotopy/ring_ground.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "tautline/planners/tether/socket.h"
+#include "tautline/homotopy/socket.h"
 
 #include <algorithm>
 #include <utility>

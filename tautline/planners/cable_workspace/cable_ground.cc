@@ -1,0 +1,81 @@
+#include "tautline/planners/cable_workspace/cable_ground.h"
+
+#include <string>
+#include <utility>
+
+#include "tautline/base/check.h"
+#include "tautline/scene/number_text.h"
+
+namespace tautline {
+
+Expected<CableGround> CableGround::Prepare(const World& world, const Watcher& watch) {
+  try {
+    if (watch && !watch("free space", 0)) throw Stopped();
+    auto space = BuildFreeSpace(world);
+    if (!space) return tl::unexpected(space.error());
+    CableGround ground;
+    if (space->clearance > 0) {
+      auto ungrown = BuildFreeSpace(world, {.clearance = 0});
+      if (!ungrown) return tl::unexpected(ungrown.error());
+      ground.ungrown_ = std::make_unique<const Ungrown>(*std::move(ungrown));
+    }
+    ground.space_ = std::make_unique<const TautSpace>(*std::move(space), watch);
+    return ground;
+  } catch (const Stopped&) {
+    return tl::unexpected<Error>(Error{ErrorCode::kStopped, "stopped while the world was prepared", ""});
+  }
+}
+
+tl::expected<Anchors, AnchorFault> PlaceAnchors(const CableGround& ground, std::span<const Point> points) {
+  Anchors anchors;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto socket = FindSocket(ground.space(), ground.ungrown(), points[i]);
+    if (!socket) {
+      return tl::unexpected(AnchorFault{
+          i,
+          ToText(points[i]) + " stands inside an obstacle or outside: move it onto the boundary of the free ground"});
+    }
+    if (ground.space().mesh().Sectors(socket->exit).size() > 1) {
+      return tl::unexpected(AnchorFault{i, ToText(points[i]) +
+                                               " stands where blocked ground touches, so that its cable could leave to "
+                                               "either side: move it a little to the side that is meant"});
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (Distance(anchors[k].exit.point, socket->exit.point) > 2 * ground.space().tolerance()) continue;
+      return tl::unexpected(AnchorFault{i, ToText(points[i]) + " stands where cables.anchors[" + std::to_string(k) +
+                                               "] stands: give each winch a place of its own"});
+    }
+    anchors.push_back(*socket);
+  }
+  return anchors;
+}
+
+Walk Joined(const FreeMesh& mesh, const Walk& first, const Walk& second) {
+  TAUTLINE_CHECK(first.at == second.from);
+  Walk walk = first;
+  TAUTLINE_CHECK(TurnInto(mesh, second.sleeve.front(), walk));
+  for (const TriangleId step : second.sleeve.triangles()) walk.sleeve.Step(step);
+  walk.at = second.at;
+  walk.rooted = true;
+  return walk;
+}
+
+Walk Reversed(const Walk& walk) {
+  Walk reversed = walk;
+  reversed.sleeve = walk.sleeve.Reversed();
+  std::swap(reversed.from, reversed.at);
+  reversed.rooted = true;
+  return reversed;
+}
+
+Walk WalkBetween(const CableGround& ground, const Socket& from, const Socket& to, const TautPath& path) {
+  Walk start(from.exit);
+  start.rooted = true;
+  std::optional<Walk> walk = start;
+  TAUTLINE_CHECK(!ground.space().Follow(path.points, walk));
+  TAUTLINE_CHECK(walk->at == to.exit.point);
+  TAUTLINE_CHECK(TurnInto(ground.space().mesh(), to.exit.triangle, *walk));
+  return *walk;
+}
+
+}  // namespace tautline

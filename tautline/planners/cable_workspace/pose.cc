@@ -1,0 +1,71 @@
+#include "tautline/planners/cable_workspace/pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tautline/geometry/predicates.h"
+
+namespace tautline {
+namespace {
+
+/// The corners towards which cables pull, sorted counter-clockwise around the robot, by angle.
+struct Pull {
+  double angle;
+  Point towards;
+};
+
+/// The widest gap, and whether all gaps are less than a half turn, by the corners themselves.
+void FindGap(std::vector<Pull> pulls, Point robot, Pose& pose) {
+  pose.largest_gap = 2 * std::numbers::pi;
+  if (pulls.empty()) return;
+  std::sort(pulls.begin(), pulls.end(), [](const Pull& a, const Pull& b) { return a.angle < b.angle; });
+  pose.largest_gap = 0;
+  pose.spans = true;
+  for (std::size_t i = 0; i < pulls.size(); ++i) {
+    const bool last = i + 1 == pulls.size();
+    const Pull& next = pulls[last ? 0 : i + 1];
+    const double gap = next.angle - pulls[i].angle + (last ? 2 * std::numbers::pi : 0);
+    pose.largest_gap = std::max(pose.largest_gap, gap);
+    // Angles tell which neighbours are a half turn apart or so; the predicate tells whether it is less.
+    const bool wide = gap > std::numbers::pi / 2;
+    if (wide && (gap > 1.5 * std::numbers::pi || Orientation(robot, pulls[i].towards, next.towards) <= 0)) {
+      pose.spans = false;
+    }
+  }
+}
+
+}  // namespace
+
+Pose LookAtPose(const WorkspaceRegion& region, Point at) {
+  Pose pose{.position = region.Classify(at)};
+  const auto ways = region.WaysTo(at);
+  if (ways.empty()) {
+    pose.position = Position::kOutside;
+    return pose;
+  }
+  const Point robot = ways[0].at;
+  std::vector<Pull> pulls;
+  for (std::size_t i = 0; i < region.anchors().size(); ++i) {
+    PoseCable cable{.path = region.ground().space().Pull(region.CableTo(i, ways[0]))};
+    cable.length = cable.path.length + region.anchors()[i].stub_length;
+    const Polyline& points = cable.path.points;
+    if (points.size() > 1 && points[points.size() - 2] != robot) {
+      const Point towards = points[points.size() - 2];
+      cable.direction = (1 / Distance(robot, towards)) * (towards - robot);
+      pulls.push_back({std::atan2(cable.direction->y, cable.direction->x), towards});
+    }
+    pose.cables.push_back(std::move(cable));
+  }
+  FindGap(std::move(pulls), robot, pose);
+  pose.margin = std::cos(pose.largest_gap / 2);
+  const double tolerance = region.ground().space().tolerance();
+  region.ground().space().mesh().ForEachBoundaryNear(
+      Box{{robot.x - tolerance, robot.y - tolerance}, {robot.x + tolerance, robot.y + tolerance}},
+      [&](Point a, Point b) {
+        pose.touches_obstacle = pose.touches_obstacle || DistanceToSegment(robot, a, b) <= tolerance;
+      });
+  return pose;
+}
+
+}  // namespace tautline

@@ -1,0 +1,86 @@
+#include "tautline/planners/cable_workspace/region.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "tautline/base/check.h"
+
+namespace tautline {
+namespace {
+
+/// Calls visit(side, segment, a, b) for every piece of the sides, stubs left out.
+template <class Visit>
+void ForEachPiece(const WorkspaceBoundary& boundary, Visit visit) {
+  for (std::size_t side = 0; side < boundary.sides.size(); ++side) {
+    const Polyline& points = boundary.sides[side].path.points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) visit(side, i, points[i], points[i + 1]);
+  }
+}
+
+}  // namespace
+
+WorkspaceRegion::WorkspaceRegion(const CableGround& ground, const Anchors& anchors, const WorkspaceBoundary& boundary)
+    : ground_(ground), anchors_(anchors), boundary_(boundary) {
+  Walk walk(anchors[0].exit);
+  walk.rooted = true;
+  for (const BoundarySide& side : boundary.sides) {
+    to_anchor_.push_back(walk);
+    walk = Joined(ground.space().mesh(), walk, side.walk);
+  }
+}
+
+Position WorkspaceRegion::Classify(Point p) const {
+  bool on_boundary = false;
+  ForEachPiece(boundary_, [&](std::size_t, std::size_t, Point a, Point b) {
+    on_boundary = on_boundary || DistanceToSegment(p, a, b) <= ground_.space().tolerance();
+  });
+  if (on_boundary) return Position::kBoundary;
+  const Winding winding = WindingNumber(boundary_.ring, p);
+  return winding.number != 0 && !winding.on_boundary ? Position::kInside : Position::kOutside;
+}
+
+std::optional<Walk> WorkspaceRegion::WayAlong(std::size_t side, std::size_t segment, Point on_boundary, Point p) const {
+  const Polyline& points = boundary_.sides[side].path.points;
+  std::optional<Walk> walk = to_anchor_[side];
+  Polyline way(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(segment) + 1);
+  way.push_back(on_boundary);
+  way.push_back(p);
+  if (ground_.space().Follow(way, walk)) return std::nullopt;
+  walk->rooted = true;
+  return walk;
+}
+
+std::vector<Walk> WorkspaceRegion::WaysTo(Point p) const {
+  const Position position = Classify(p);
+  const auto place = ground_.space().Locate(p);
+  if (position == Position::kOutside || !place) return {};
+  // A point on the boundary is reached along every piece that it lies on, one inside from the nearest piece.
+  double reach = ground_.space().tolerance();
+  if (position == Position::kInside) {
+    reach = std::numeric_limits<double>::infinity();
+    ForEachPiece(boundary_, [&](std::size_t, std::size_t, Point a, Point b) {
+      reach = std::min(reach, DistanceToSegment(place->point, a, b));
+    });
+  }
+  std::vector<Walk> ways;
+  ForEachPiece(boundary_, [&](std::size_t side, std::size_t segment, Point a, Point b) {
+    if (DistanceToSegment(p, a, b) > reach && DistanceToSegment(place->point, a, b) > reach) return;
+    if (position == Position::kInside && !ways.empty()) return;
+    auto way = WayAlong(side, segment, NearestOnSegment(place->point, a, b), place->point);
+    if (!way || !TurnInto(ground_.space().mesh(), place->triangle, *way)) return;
+    const auto same = [&way](const Walk& other) { return other.sleeve == way->sleeve; };
+    if (std::none_of(ways.begin(), ways.end(), same)) ways.push_back(*std::move(way));
+  });
+  return ways;
+}
+
+Walk WorkspaceRegion::CableTo(std::size_t anchor, const Walk& way) const {
+  return Joined(ground_.space().mesh(), Reversed(to_anchor_[anchor]), way);
+}
+
+Walk WorkspaceRegion::Between(const Walk& from_way, const Walk& to_way) const {
+  return Joined(ground_.space().mesh(), Reversed(from_way), to_way);
+}
+
+}  // namespace tautline
