@@ -23,12 +23,19 @@ bool SameClass(const Walk& a, const Walk& b) { return a.from == b.from && a.at =
 
 }  // namespace
 
-CurveId AnchorCurves::Add(Walk walk) {
-  const std::uint64_t hash = HashOf(walk);
+std::optional<CurveId> AnchorCurves::Find(const Walk& walk, std::uint64_t hash) const {
   const auto [first, last] = by_hash_.equal_range(hash);
   for (auto it = first; it != last; ++it) {
     if (SameClass(curves_[it->second.index()].walk, walk)) return it->second;
   }
+  return std::nullopt;
+}
+
+std::optional<CurveId> AnchorCurves::Find(const Walk& walk) const { return Find(walk, HashOf(walk)); }
+
+CurveId AnchorCurves::Add(Walk walk) {
+  const std::uint64_t hash = HashOf(walk);
+  if (const auto known = Find(walk, hash)) return *known;
   const CurveId id(curves_.size());
   const double length = PullTaut(ground_.space().mesh(), walk).length;
   curves_.push_back({std::move(walk), length});

@@ -24,6 +24,8 @@ class AnchorCurves {
 
   /// The curve of a walk from the exit of an anchor to that of another. O(triangles) expected.
   CurveId Add(Walk walk);
+  /// The same if it was added before.
+  std::optional<CurveId> Find(const Walk& walk) const;
 
   /// Its class.
   const Walk& walk(CurveId id) const { return curves_[id.index()].walk; }
@@ -41,6 +43,8 @@ class AnchorCurves {
     Walk walk;
     double length;
   };
+
+  std::optional<CurveId> Find(const Walk& walk, std::uint64_t hash) const;
 
   const CableGround& ground_;
   std::vector<Curve> curves_;

@@ -84,7 +84,7 @@ class BoundarySearch {
     SearchBudget budget(options_.budget, options_.keep_going);
     try {
       if (ListSides(*shortest, budget)) {
-        BoundaryFan fan(ground_, curves_, sides_, {*shortest, limit_, ChordsCanCross(), &budget});
+        BoundaryFan fan(ground_, anchors_, curves_, sides_, {*shortest, limit_, ChordsCanCross(), &budget});
         fan.ForEach([&](std::span<const CurveId> sides) { Close(sides, list); });
       }
       list.complete = !incomplete_;
@@ -103,22 +103,21 @@ class BoundarySearch {
                        [&](const Socket& anchor) { return EndsOnBoundary(ground_.space(), anchor.exit); });
   }
 
-  /// All classes of all sides that may be part of a boundary. False when there is none for some side.
+  /// The classes of all sides that a fan asks for. False when the shortest sides alone are too long.
   bool ListSides(const std::vector<double>& shortest, SearchBudget& budget) {
     const double all = std::accumulate(shortest.begin(), shortest.end(), 0.0);
     limit_ = options_.max_boundary;
     for (const Socket& anchor : anchors_) limit_ -= 2 * anchor.stub_length;
     limit_ += kLengthTolerance * options_.max_boundary;
+    if (limit_ < all) return false;
     for (std::size_t i = 0; i < anchors_.size(); ++i) {
       // The way back along all other sides is at least as long as the side.
-      const double longest = std::min(limit_ - (all - shortest[i]), limit_ / 2);
-      if (longest < 0) return false;
-      if (!ListSide(i, longest, budget)) return false;
+      ListSide(i, std::min(shortest[i] + (limit_ - all) / 2, limit_ / 2), budget);
     }
     return true;
   }
 
-  bool ListSide(std::size_t i, double longest, SearchBudget& budget) {
+  void ListSide(std::size_t i, double longest, SearchBudget& budget) {
     const Socket &from = anchors_[i], &to = anchors_[NextAnchor(i, anchors_.size())];
     Walk start(from.exit);
     start.rooted = true;
@@ -135,7 +134,6 @@ class BoundarySearch {
     std::stable_sort(side.begin(), side.end(),
                      [&](CurveId a, CurveId b) { return curves_.length(a) < curves_.length(b); });
     sides_.push_back(std::move(side));
-    return !sides_.back().empty();
   }
 
   void Close(std::span<const CurveId> sides, BoundaryList& list) {
