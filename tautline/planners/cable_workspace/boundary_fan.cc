@@ -16,9 +16,9 @@ constexpr int kStepsPerCheck = 256;
 SearchBudget::SearchBudget(std::int64_t steps, KeepGoing keep_going)
     : left_(steps), stop_(std::move(keep_going), kStepsPerCheck) {}
 
-BoundaryFan::BoundaryFan(const CableGround& ground, const Anchors& anchors, AnchorCurves& curves,
-                         const std::vector<std::vector<CurveId>>& sides, const FanOptions& options)
-    : ground_(ground), curves_(curves), sides_(sides), options_(options), rest_(sides.size() + 1, 0) {
+BoundaryFan::BoundaryFan(const Anchors& anchors, AnchorCurves& curves, const std::vector<std::vector<CurveId>>& sides,
+                         const FanOptions& options)
+    : curves_(curves), sides_(sides), options_(options), rest_(sides.size() + 1, 0) {
   for (std::size_t i = sides.size(); i-- > 0;) rest_[i] = rest_[i + 1] + options_.shortest[i];
   half_ = (options_.limit - rest_[0]) / 2;
   Walk trivial(anchors[0].exit);
@@ -64,9 +64,9 @@ void BoundaryFan::GrowForwards(std::size_t k) {
       if (SpentBefore(k + 1, used) > half_) break;
       options_.budget->Spend();
       if (options_.chords_can_cross && curves_.Cross(node.chord, side)) continue;
-      const CurveId chord = curves_.Add(Joined(ground_.space().mesh(), curves_.walk(node.chord), curves_.walk(side)));
-      if (used + curves_.length(chord) > options_.limit || !IsTriangle(node.chord, side, chord)) continue;
-      const std::int32_t to = NodeOf(next, chord);
+      const auto chord = curves_.AddJoined(node.chord, side, options_.limit - used);
+      if (!chord || used + curves_.length(*chord) > options_.limit || !IsTriangle(node.chord, side, *chord)) continue;
+      const std::int32_t to = NodeOf(next, *chord);
       Node& reached = next.nodes[static_cast<std::size_t>(to)];
       reached.before = std::min(reached.before, used);
       node.steps.push_back({side, to, 0});
@@ -84,10 +84,9 @@ void BoundaryFan::GrowBackwards(std::size_t k) {
       if (!(SpentAfter(k - 1, used) <= half_)) break;
       options_.budget->Spend();
       if (options_.chords_can_cross && curves_.Cross(from, side)) continue;
-      const CurveId chord =
-          curves_.Add(Joined(ground_.space().mesh(), curves_.walk(from), Reversed(curves_.walk(side))));
-      if (used + curves_.length(chord) > options_.limit || !IsTriangle(from, side, chord)) continue;
-      Node& reached = before.nodes[static_cast<std::size_t>(NodeOf(before, chord))];
+      const auto chord = curves_.AddJoined(from, curves_.Reverse(side), options_.limit - used);
+      if (!chord || used + curves_.length(*chord) > options_.limit || !IsTriangle(from, side, *chord)) continue;
+      Node& reached = before.nodes[static_cast<std::size_t>(NodeOf(before, *chord))];
       reached.after = std::min(reached.after, used);
       AddStep(reached, side, static_cast<std::int32_t>(i));
     }
@@ -111,7 +110,7 @@ void BoundaryFan::JoinByListed(std::size_t k) {
       if (used + rest_[k + 1] > options_.limit) break;
       if (k + 1 < sides_.size() && SpentBefore(k + 1, used) <= half_) continue;
       options_.budget->Spend();
-      const auto chord = curves_.Find(Joined(ground_.space().mesh(), curves_.walk(node.chord), curves_.walk(side)));
+      const auto chord = curves_.FindJoined(node.chord, side);
       if (!chord) continue;
       const auto to = next.node_of.find(chord->value());
       if (to == next.node_of.end()) continue;
@@ -140,13 +139,14 @@ void BoundaryFan::JoinByLong(std::size_t k) {
       const CurveId chord = next.nodes[static_cast<std::size_t>(to)].chord;
       if (used + std::fabs(curves_.length(chord) - curves_.length(node.chord)) > options_.limit) continue;
       options_.budget->Spend();
-      if (options_.chords_can_cross && curves_.Cross(node.chord, chord)) continue;
-      const CurveId side =
-          curves_.Add(Joined(ground_.space().mesh(), Reversed(curves_.walk(node.chord)), curves_.walk(chord)));
-      if (curves_.length(side) < least || used + curves_.length(side) > options_.limit) continue;
-      if (curves_.CrossesItself(side)) continue;
-      if (options_.chords_can_cross && (curves_.Cross(node.chord, side) || curves_.Cross(chord, side))) continue;
-      AddStep(node, side, to);
+      const auto side = curves_.AddJoined(curves_.Reverse(node.chord), chord, options_.limit - used);
+      if (!side || curves_.length(*side) < least || used + curves_.length(*side) > options_.limit) continue;
+      if (curves_.CrossesItself(*side)) continue;
+      if (options_.chords_can_cross &&
+          (curves_.Cross(node.chord, chord) || curves_.Cross(node.chord, *side) || curves_.Cross(chord, *side))) {
+        continue;
+      }
+      AddStep(node, *side, to);
     }
   }
 }
@@ -167,7 +167,7 @@ void BoundaryFan::SortSteps(std::size_t k) {
 /// Draws one more curve, unless it crosses another one.
 bool BoundaryFan::Push(CurveId curve) {
   for (const CurveId other : drawn_) {
-    if (other != curve && curves_.Cross(curve, other)) return false;
+    if (other != curve && curves_.CrossAgain(curve, other)) return false;
   }
   drawn_.push_back(curve);
   return true;

@@ -58,8 +58,8 @@ class BoundaryFan {
  public:
   /// `sides`: the classes of each side that spend up to half of the slack, shortest first, none of which crosses
   /// itself. The anchors' exits come with the walks.
-  BoundaryFan(const CableGround& ground, const Anchors& anchors, AnchorCurves& curves,
-              const std::vector<std::vector<CurveId>>& sides, const FanOptions& options);
+  BoundaryFan(const Anchors& anchors, AnchorCurves& curves, const std::vector<std::vector<CurveId>>& sides,
+              const FanOptions& options);
 
   /// Calls visit(curves by side) for every closed boundary up to the limit whose sides do not cross. Throws Stopped
   /// when the budget is spent.
@@ -98,7 +98,6 @@ class BoundaryFan {
   void Descend(std::size_t k, const Node& node, double used);
   bool Push(CurveId curve);
 
-  const CableGround& ground_;
   AnchorCurves& curves_;
   const std::vector<std::vector<CurveId>>& sides_;
   FanOptions options_;
