@@ -20,6 +20,8 @@ struct Spot {
   friend auto operator<=>(const Spot&, const Spot&) = default;
 };
 
+constexpr std::uint8_t kUnknown = 255;
+
 /// Where the walks are.
 struct Ground {
   const FreeMesh& mesh;
@@ -73,11 +75,11 @@ WalkSpots::WalkSpots(const TautSpace& space, const Walk& walk)
     : triangles_(walk.sleeve.triangles().begin(), walk.sleeve.triangles().end()) {
   const Ground ground{space.mesh(), space.tolerance()};
   const auto add = [this](const std::optional<Spot>& spot, double& along) {
-    spots_.push_back(spot ? static_cast<std::int8_t>(spot->at) : std::int8_t{-1});
+    spots_.push_back(spot ? static_cast<std::uint8_t>(spot->at) : kUnknown);
     if (spot) along = spot->along;
   };
   const auto towards = [&](std::size_t from, std::size_t to) {
-    spots_.push_back(static_cast<std::int8_t>(SpotTowards(ground.mesh, triangles_[from], triangles_[to]).at));
+    spots_.push_back(static_cast<std::uint8_t>(SpotTowards(ground.mesh, triangles_[from], triangles_[to]).at));
   };
   const std::size_t n = triangles_.size();
   places_.reserve(n);
@@ -113,8 +115,8 @@ struct WalkSpots::Reading {
 
  private:
   std::optional<Spot> At(std::size_t place, bool exit) const {
-    const int at = spots.spots_[2 * place + (exit ? 1 : 0)];
-    if (at < 0) return std::nullopt;
+    const std::uint8_t at = spots.spots_[2 * place + (exit ? 1 : 0)];
+    if (at == kUnknown) return std::nullopt;
     if (!exit && place == 0) return Spot{at, spots.first_along_};
     if (exit && place + 1 == size()) return Spot{at, spots.last_along_};
     return Spot{at, 0};

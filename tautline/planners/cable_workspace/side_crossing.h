@@ -25,7 +25,7 @@ class WalkSpots {
 
   std::vector<TriangleId> triangles_;
   std::vector<std::pair<TriangleId, std::uint32_t>> places_;  ///< In the walk, sorted by triangle.
-  std::vector<std::int8_t> spots_;  ///< Of the entry and the exit of each triangle; -1 where that is unknown.
+  std::vector<std::uint8_t> spots_;  ///< Of the entry and the exit of each triangle; 255 where that is unknown.
   double first_along_ = 0;          ///< Of the spot where the walk starts.
   double last_along_ = 0;           ///< And where it ends.
 };
