@@ -130,8 +130,9 @@ class BoundarySearch {
 
   /// The classes of a side, cheapest first, but those that cross themselves.
   std::vector<CurveId> ListSide(std::size_t i, const TollGraph& graph, const RayTolls& tolls,
-                                const SideClassOptions& options) {
+                                SideClassOptions options) {
     std::vector<CurveId> side;
+    options.drop_loops = LoopsCross(ground_.space(), anchors_[i].exit, anchors_[NextAnchor(i, anchors_.size())].exit);
     for (const TautPath& path : ListSideClasses(ground_.space(), anchors_, i, graph, tolls, options)) {
       const Walk walk = WalkBetween(ground_, anchors_[i], anchors_[NextAnchor(i, anchors_.size())], path);
       const CurveId curve = curves_.Add(walk, RefundOf(ground_.space(), tolls, path.points));
