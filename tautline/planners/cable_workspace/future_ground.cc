@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "tautline/base/check.h"
@@ -66,7 +67,7 @@ void FutureGround::ListPunctures() {
     const bool further_piece = first == names.size() || punctures_[first].island.valid();
     Puncture puncture{island.representative, island.representative, first, ObstacleId(i)};
     if (further_piece || punctures_[first].then != island.representative) {
-      puncture.obstacle = CarrierOf(island, names);
+      puncture.obstacle = CarrierOf(island);
       puncture.now = puncture.then - moved_.offsets[puncture.obstacle];
     } else {
       puncture.now = punctures_[first].now;
@@ -79,14 +80,16 @@ void FutureGround::ListPunctures() {
   }
 }
 
-/// The member of an island that its representative lies in, or in whose growth.
-std::size_t FutureGround::CarrierOf(const Island& island, const std::vector<std::string>& names) const {
-  std::pair<double, std::size_t> nearest{std::numeric_limits<double>::infinity(), 0};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (std::find(island.members.begin(), island.members.end(), names[i]) == island.members.end()) continue;
-    nearest = std::min(nearest, {DistanceToObstacle(moved_.world.obstacles[i], island.representative), i});
+/// The obstacle that the representative of an island lies in, or in whose growth. It need not be a member: a piece of a
+/// parted obstacle may consist of another one and the part without width of the first.
+std::size_t FutureGround::CarrierOf(const Island& island) const {
+  std::tuple<bool, double, std::size_t> nearest{true, std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t i = 0; i < moved_.world.obstacles.size(); ++i) {
+    const Obstacle& obstacle = moved_.world.obstacles[i];
+    const bool outside = !StrictlyInsideObstacle(obstacle, island.representative);
+    nearest = std::min(nearest, {outside, DistanceToObstacle(obstacle, island.representative), i});
   }
-  return nearest.second;
+  return std::get<2>(nearest);
 }
 
 std::optional<Error> FutureGround::MovePunctures(std::size_t position) {

@@ -59,7 +59,7 @@ class FutureGround {
 
   FutureGround(double probability, MovedWorld moved, CableGround ground, std::span<const Point> anchors);
   void ListPunctures();
-  std::size_t CarrierOf(const Island& island, const std::vector<std::string>& names) const;
+  std::size_t CarrierOf(const Island& island) const;
   std::optional<Error> MovePunctures(std::size_t position);
   std::optional<PunctureCollision> MoveGroup(std::vector<ObstacleId> group, Point from, Point to);
   Word WordOfIslands(const Word& word) const;

@@ -72,11 +72,40 @@ struct CableScene {
   }
 };
 
-Obstacle RandomObstacle(Rng& rng) {
+/// Two blocks and a bar without width between them: two islands that move together.
+Ring RandomDumbbell(Rng& rng, Point at) {
+  const double small = rng.Uniform(0.2, 0.6), large = rng.Uniform(0.4, 0.8), bar = rng.Uniform(0.5, 2);
+  Ring ring{{0, -small},
+            {2 * small, -small},
+            {2 * small, 0},
+            {2 * small + bar, 0},
+            {2 * small + bar, -large},
+            {4 * small + bar + large, -large},
+            {4 * small + bar + large, large},
+            {2 * small + bar, large},
+            {2 * small + bar, 0},
+            {2 * small, 0},
+            {2 * small, small},
+            {0, small}};
+  if (rng.UniformInt(0, 1) == 0) {
+    for (Point& p : ring) p = {p.y, -p.x};
+  }
+  for (Point& p : ring) p = p + at;
+  return ring;
+}
+
+/// What stands in a room.
+struct SceneFamily {
+  bool dumbbells = false;  ///< Among the obstacles are some that are parted.
+};
+
+Obstacle RandomObstacle(Rng& rng, Point centre, const SceneFamily& family) {
   Obstacle obstacle;
-  const Point centre = RandomPoint(rng, kRoom);
-  if (rng.UniformInt(0, 3) == 0) {
+  const int kind = rng.UniformInt(0, family.dumbbells ? 5 : 3);
+  if (kind == 0) {
     obstacle.circle = Circle{centre, rng.Uniform(0.2, 1.5)};
+  } else if (kind >= 4) {
+    obstacle.polygon = PolygonWithHoles{RandomDumbbell(rng, centre), {}};
   } else {
     do {
       obstacle.polygon = PolygonWithHoles{RandomStar(rng, centre, rng.Uniform(0.4, 2.5)), {}};
@@ -86,13 +115,29 @@ Obstacle RandomObstacle(Rng& rng) {
   return obstacle;
 }
 
-Point OnPerimeter(double along) {
-  const Point size = kRoom.size();
-  if (along < size.x) return {along, 0};
-  along -= size.x;
-  if (along < size.y) return {size.x, along};
-  along -= size.y;
-  return along < size.x ? Point{size.x - along, size.y} : Point{0, size.y - (along - size.x)};
+/// The room, or one with a wall that faces left over an obstacle, so that what leads straight away from it crosses a
+/// ray.
+World RandomRoom(Rng& rng, const SceneFamily& family) {
+  World world;
+  world.outline = Rectangle(kRoom.low, kRoom.high);
+  world.clearance = rng.UniformInt(0, 2) == 0 ? 0.1 : 0;
+  if (rng.UniformInt(0, 2) == 0) {
+    world.outline = {{0, 0}, {16, 0}, {16, 6}, {12, 6}, {12, 12}, {0, 12}};
+    if (world.clearance > 0) world.clearance = 0.3;
+    world.obstacles.push_back(RandomObstacle(rng, {rng.Uniform(11.5, 12.1), rng.Uniform(2, 3)}, family));
+  }
+  for (int i = rng.UniformInt(2, 5); i > 0; --i) {
+    world.obstacles.push_back(RandomObstacle(rng, RandomPoint(rng, kRoom), family));
+  }
+  return world;
+}
+
+Point OnRing(const Ring& ring, double along) {
+  for (std::size_t i = 0;; i = i + 1 == ring.size() ? 0 : i + 1) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    if (along < Distance(a, b)) return Lerp(a, b, along / Distance(a, b));
+    along -= Distance(a, b);
+  }
 }
 
 std::optional<Polyline> RandomCable(Rng& rng, const CableScene& scene, Point robot, Point anchor) {
@@ -107,17 +152,15 @@ std::optional<Polyline> RandomCable(Rng& rng, const CableScene& scene, Point rob
   return std::nullopt;
 }
 
-CableScene RandomCableScene(Rng& rng) {
+CableScene RandomCableScene(Rng& rng, const SceneFamily& family) {
   for (;;) {
     CableScene scene;
-    scene.world.outline = Rectangle(kRoom.low, kRoom.high);
-    scene.world.clearance = rng.UniformInt(0, 2) == 0 ? 0.1 : 0;
-    scene.margin = scene.world.clearance > 0 ? 0.4 : 0.02;
-    for (int i = rng.UniformInt(2, 6); i > 0; --i) scene.world.obstacles.push_back(RandomObstacle(rng));
+    scene.world = RandomRoom(rng, family);
+    scene.margin = 0.02 + 3.5 * scene.world.clearance;
     std::vector<double> along(static_cast<std::size_t>(rng.UniformInt(3, 5)));
     for (double& place : along) place = rng.Uniform(0, 56);
     std::sort(along.begin(), along.end());
-    for (const double place : along) scene.anchors.push_back(OnPerimeter(place));
+    for (const double place : along) scene.anchors.push_back(OnRing(scene.world.outline, place));
     const Point robot{rng.Uniform(1, 15), rng.Uniform(1, 11)};
     for (const Point anchor : scene.anchors) {
       auto cable = RandomCable(rng, scene, robot, anchor);
@@ -184,7 +227,7 @@ TEST(RandomFutures, CablesThatNothingTouchesKeepTheirClasses) {
   for (std::int64_t seed = 1; seed <= count; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(static_cast<std::uint64_t>(seed));
-    const CableScene scene = RandomCableScene(rng);
+    const CableScene scene = RandomCableScene(rng, {.dumbbells = true});
     const auto now = PresentOf(scene);
     if (!now) continue;
     std::vector<Future> moves(2, Future{0.5, {}});
@@ -233,7 +276,7 @@ TEST(RandomFutures, ALostSideHasNoPathLeft) {
   for (std::int64_t seed = 1; seed <= count; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(static_cast<std::uint64_t>(seed));
-    CableScene scene = RandomCableScene(rng);
+    CableScene scene = RandomCableScene(rng, {});
     scene.world.clearance = 0;
     const auto now = PresentOf(scene);
     if (!now) continue;
@@ -281,7 +324,7 @@ TEST(RandomFutures, ThereAndBackIsNothingAndMovesMayBeCut) {
   for (std::int64_t seed = 1; seed <= count; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(static_cast<std::uint64_t>(seed));
-    const CableScene scene = RandomCableScene(rng);
+    const CableScene scene = RandomCableScene(rng, {.dumbbells = true});
     const auto now = PresentOf(scene);
     if (!now) continue;
     std::vector<Future> moves(3, Future{1.0 / 3, {}});

@@ -26,11 +26,6 @@ std::optional<std::string> StartFault(const World& world, const Obstacle& obstac
   return "must start inside of the obstacle, where it is by then, not at " + ToText(start);
 }
 
-bool StrictlyInsideObstacle(const Obstacle& obstacle, Point p) {
-  return obstacle.polygon ? StrictlyInside(*obstacle.polygon, p)
-                          : Distance(obstacle.circle->centre, p) < obstacle.circle->radius;
-}
-
 void Translate(Ring& ring, Point by) {
   for (Point& p : ring) p = p + by;
 }
@@ -50,6 +45,11 @@ void Translate(Obstacle& obstacle, Point representative, Point by) {
 
 std::string MoveName(std::size_t future, std::size_t move) {
   return "futures[" + std::to_string(future + 1) + "].moves[" + std::to_string(move + 1) + "]";
+}
+
+bool StrictlyInsideObstacle(const Obstacle& obstacle, Point p) {
+  return obstacle.polygon ? StrictlyInside(*obstacle.polygon, p)
+                          : Distance(obstacle.circle->centre, p) < obstacle.circle->radius;
 }
 
 double DistanceToObstacle(const Obstacle& obstacle, Point p) {

@@ -36,6 +36,9 @@ std::string MoveName(std::size_t future, std::size_t move);
 /// obstacle; kLimitExceeded for large coordinates. O(size of the world + points of the paths).
 [[nodiscard]] Expected<MovedWorld> MoveObstacles(const World& world, const Future& moves, std::size_t future);
 
+/// Whether p is inside of an obstacle as it is listed, and not on its boundary. O(n).
+bool StrictlyInsideObstacle(const Obstacle& obstacle, Point p);
+
 /// The distance from p to an obstacle as it is listed, metres; 0 in or on it. O(n).
 double DistanceToObstacle(const Obstacle& obstacle, Point p);
 
