@@ -86,6 +86,7 @@ std::vector<MovingPunctures::Meeting> MovingPunctures::Meetings(ObstacleId punct
 }
 
 tl::expected<void, PunctureCollision> MovingPunctures::Move(ObstacleId puncture, Point to) {
+  if (to == punctures_[puncture.index()]) return {};
   if (const auto collision = FindCollision(puncture, to)) return tl::unexpected(*collision);
   for (const Meeting& meeting : Meetings(puncture, to)) passages_.push_back(meeting.passage);
   const auto before = [this](ObstacleId a, ObstacleId b) { return IsBefore(a, b); };

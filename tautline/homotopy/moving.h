@@ -39,7 +39,7 @@ class MovingPunctures {
   MovingPunctures(std::vector<Point> punctures, std::vector<Point> ends);
 
   /// Moves a puncture straight to a place. Two that move at once are moved in turns. Exact. Fails, and moves nothing,
-  /// when the way leads exactly through another puncture or an end, or starts or ends at one.
+  /// when the way leads exactly through another puncture or an end, or starts or ends at one; staying is no way.
   /// O(log n + k log k + punctures moved past) for k punctures in the columns passed.
   tl::expected<void, PunctureCollision> Move(ObstacleId puncture, Point to);
 

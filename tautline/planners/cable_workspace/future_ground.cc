@@ -43,7 +43,7 @@ Expected<FutureGround> FutureGround::Prepare(const World& world, std::span<const
   auto ground = CableGround::Prepare(moved->world, watch);
   if (!ground) {
     Error error = ground.error();
-    if (error.code != ErrorCode::kStopped) error.where = "futures[" + std::to_string(position + 1) + "]";
+    if (error.code != ErrorCode::kStopped) error.where = FutureName(position);
     return tl::unexpected(std::move(error));
   }
   FutureGround prepared(future.probability, *std::move(moved), *std::move(ground), anchors);
@@ -110,21 +110,29 @@ std::optional<Error> FutureGround::MovePunctures(std::size_t position) {
   for (const ObstacleStep& step : moved_.steps) {
     const auto collision = MoveGroup(groups[step.obstacle], offsets[step.obstacle], step.offset);
     offsets[step.obstacle] = step.offset;
-    if (!collision) continue;
-    const std::vector<std::string> obstacles = ObstacleNames(moved_.world);
-    std::string met;
-    if (collision->puncture) {
-      met = "that of '" + obstacles[punctures_[collision->puncture->index()].obstacle] + "' at " +
-            ToText(moving_->punctures()[collision->puncture->index()]);
-    } else {
-      met = "anchor " + std::to_string(*collision->end + 1) + " at " + ToText(points_[*collision->end]);
-    }
-    return Error{ErrorCode::kInvalidInput,
-                 "the representative of '" + obstacles[step.obstacle] + "' moves exactly through " + met +
-                     ": lead it past on the side that is meant",
-                 MoveName(position, step.move)};
+    if (collision) return CollisionError(*collision, step.obstacle, MoveName(position, step.move));
+  }
+  // Rays that nearly share a column must not change their order by rounding.
+  for (std::size_t i = 0; i < punctures_.size(); ++i) {
+    const auto moved = moving_->Move(ObstacleId(i), punctures_[i].then);
+    if (!moved) return CollisionError(moved.error(), punctures_[i].obstacle, FutureName(position));
   }
   return std::nullopt;
+}
+
+Error FutureGround::CollisionError(const PunctureCollision& collision, std::size_t obstacle, std::string where) const {
+  const std::vector<std::string> names = ObstacleNames(moved_.world);
+  std::string met;
+  if (collision.puncture) {
+    met = "that of '" + names[punctures_[collision.puncture->index()].obstacle] + "' at " +
+          ToText(moving_->punctures()[collision.puncture->index()]);
+  } else {
+    met = "anchor " + std::to_string(*collision.end + 1) + " at " + ToText(points_[*collision.end]);
+  }
+  return {ErrorCode::kInvalidInput,
+          "the representative of '" + names[obstacle] + "' moves exactly through " + met +
+              ": lead it past on the side that is meant",
+          std::move(where)};
 }
 
 /// Punctures of one obstacle move together: one after the other is the same when none has to pass through another.

@@ -61,6 +61,7 @@ class FutureGround {
   void ListPunctures();
   std::size_t CarrierOf(const Island& island) const;
   std::optional<Error> MovePunctures(std::size_t position);
+  Error CollisionError(const PunctureCollision& collision, std::size_t obstacle, std::string where) const;
   std::optional<PunctureCollision> MoveGroup(std::vector<ObstacleId> group, Point from, Point to);
   Word WordOfIslands(const Word& word) const;
   Polyline WithStubs(std::size_t side, const Anchors& anchors, const TautPath& path) const;

@@ -221,53 +221,76 @@ class RandomWalker {
   std::vector<Point> offsets_;
 };
 
+/// How often it was as it was expected, and how interesting that was.
+struct Tally {
+  std::int64_t compared = 0;
+  std::int64_t valid = 0;
+  std::int64_t other_words = 0;  ///< Than now.
+  std::int64_t other_areas = 0;
+};
+
+void Compare(const Present& now, const tl::expected<WorkspaceBoundary, BoundaryFault>& carried,
+             const tl::expected<WorkspaceBoundary, BoundaryFault>& expected, Tally& tally) {
+  ++tally.compared;
+  ASSERT_EQ(carried.has_value(), expected.has_value())
+      << (carried ? expected.error().explanation : carried.error().explanation);
+  if (!carried) {
+    EXPECT_EQ(carried.error().obstruction, expected.error().obstruction);
+    return;
+  }
+  ++tally.valid;
+  EXPECT_EQ(carried->ring, expected->ring);
+  EXPECT_EQ(carried->area, expected->area);
+  EXPECT_EQ(carried->length, expected->length);
+  bool same_words = true;
+  for (std::size_t k = 0; k < carried->sides.size(); ++k) {
+    EXPECT_EQ(carried->sides[k].path.word, expected->sides[k].path.word);
+    same_words = same_words && carried->sides[k].path.word == now.boundary.sides[k].path.word;
+  }
+  tally.other_words += same_words ? 0 : 1;
+  tally.other_areas += carried->area == now.boundary.area ? 0 : 1;
+}
+
+/// Moves obstacles without touching the cables, which are then laid as they were.
+void CompareWithLaidCables(std::int64_t seed, Tally& tally) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Rng rng(static_cast<std::uint64_t>(seed));
+  const CableScene scene = RandomCableScene(rng, {.dumbbells = true});
+  const auto now = PresentOf(scene);
+  if (!now) return;
+  std::vector<Future> moves(2, Future{0.5, {}});
+  for (Future& future : moves) {
+    RandomWalker walker(scene);
+    for (int i = rng.UniformInt(1, 3); i > 0; --i) future.moves.push_back(walker.Walk(rng, true));
+  }
+  const auto futures = Futures::Prepare(scene.world, scene.anchors, moves);
+  ASSERT_TRUE(futures.has_value()) << ToString(futures.error());
+  const FutureOutcomes all = futures->Carry(now->ground, now->anchors, now->boundary);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    SCOPED_TRACE("future " + std::to_string(i + 1));
+    const auto anchors = PlaceAnchors(futures->ground(i), scene.anchors);
+    ASSERT_TRUE(anchors.has_value());
+    Compare(*now, all.outcomes[i].boundary, BoundaryOfCables(futures->ground(i), *anchors, scene.laid), tally);
+  }
+}
+
 TEST(RandomFutures, CablesThatNothingTouchesKeepTheirClasses) {
   const std::int64_t count = ScaledTestCount(400);
-  std::int64_t compared = 0, valid = 0, other_words = 0, other_areas = 0;
-  for (std::int64_t seed = 1; seed <= count; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Rng rng(static_cast<std::uint64_t>(seed));
-    const CableScene scene = RandomCableScene(rng, {.dumbbells = true});
-    const auto now = PresentOf(scene);
-    if (!now) continue;
-    std::vector<Future> moves(2, Future{0.5, {}});
-    for (Future& future : moves) {
-      RandomWalker walker(scene);
-      for (int i = rng.UniformInt(1, 3); i > 0; --i) future.moves.push_back(walker.Walk(rng, true));
-    }
-    const auto futures = Futures::Prepare(scene.world, scene.anchors, moves);
-    ASSERT_TRUE(futures.has_value()) << ToString(futures.error());
-    const FutureOutcomes all = futures->Carry(now->ground, now->anchors, now->boundary);
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-      SCOPED_TRACE("future " + std::to_string(i + 1));
-      const auto anchors = PlaceAnchors(futures->ground(i), scene.anchors);
-      ASSERT_TRUE(anchors.has_value());
-      const auto expected = BoundaryOfCables(futures->ground(i), *anchors, scene.laid);
-      const auto& carried = all.outcomes[i].boundary;
-      ++compared;
-      ASSERT_EQ(carried.has_value(), expected.has_value())
-          << (carried ? expected.error().explanation : carried.error().explanation);
-      if (!carried) {
-        EXPECT_EQ(carried.error().obstruction, expected.error().obstruction);
-        continue;
-      }
-      ++valid;
-      EXPECT_EQ(carried->ring, expected->ring);
-      EXPECT_EQ(carried->area, expected->area);
-      EXPECT_EQ(carried->length, expected->length);
-      bool same_words = true;
-      for (std::size_t k = 0; k < carried->sides.size(); ++k) {
-        EXPECT_EQ(carried->sides[k].path.word, expected->sides[k].path.word);
-        same_words = same_words && carried->sides[k].path.word == now->boundary.sides[k].path.word;
-      }
-      other_words += same_words ? 0 : 1;
-      other_areas += carried->area == now->boundary.area ? 0 : 1;
-    }
-  }
-  EXPECT_GT(compared, count / 2);
-  EXPECT_GT(valid, compared / 2);
-  EXPECT_GT(other_words, compared / 20);
-  EXPECT_GT(other_areas, compared / 20);
+  Tally tally;
+  for (std::int64_t seed = 1; seed <= count && !HasFailure(); ++seed) CompareWithLaidCables(seed, tally);
+  EXPECT_GT(tally.compared, count / 2);
+  EXPECT_GT(tally.valid, tally.compared / 2);
+  EXPECT_GT(tally.other_words, tally.compared / 20);
+  EXPECT_GT(tally.other_areas, tally.compared / 20);
+}
+
+TEST(RandomFutures, ScenesThatOnceFailed) {
+  Tally tally;
+  // A piece of one parted obstacle lies on the part without width of another and gets its name.
+  CompareWithLaidCables(403, tally);
+  // Pieces of one obstacle, one above the other, swap their columns by rounding when they move.
+  CompareWithLaidCables(4665, tally);
+  EXPECT_EQ(tally.valid, 4);
 }
 
 TEST(RandomFutures, ALostSideHasNoPathLeft) {

@@ -43,8 +43,10 @@ void Translate(Obstacle& obstacle, Point representative, Point by) {
 
 }  // namespace
 
+std::string FutureName(std::size_t future) { return "futures[" + std::to_string(future + 1) + "]"; }
+
 std::string MoveName(std::size_t future, std::size_t move) {
-  return "futures[" + std::to_string(future + 1) + "].moves[" + std::to_string(move + 1) + "]";
+  return FutureName(future) + ".moves[" + std::to_string(move + 1) + "]";
 }
 
 bool StrictlyInsideObstacle(const Obstacle& obstacle, Point p) {

@@ -26,6 +26,9 @@ struct MovedWorld {
   std::vector<ObstacleStep> steps;     ///< In the order of the moves.
 };
 
+/// The scene file's name for a future: "futures[1]".
+std::string FutureName(std::size_t future);
+
 /// The scene file's name for a move: "futures[1].moves[2]".
 std::string MoveName(std::size_t future, std::size_t move);
 
