@@ -98,6 +98,7 @@ tl::expected<void, PunctureCollision> MovingPunctures::Move(ObstacleId puncture,
 
 std::optional<Word> MovingPunctures::Carry(const Word& word, std::size_t start, std::size_t end) const {
   TAUTLINE_CHECK(start < ends_.size() && end < ends_.size());
+  const std::size_t most = kMostCarriedLetters + 4 * (word.size() + passages_.size());
   Word carried = word;
   for (const Passage& passage : passages_) {
     if (!passage.end) carried = Conjugated(carried, passage.letter, passage.by);
@@ -108,7 +109,7 @@ std::optional<Word> MovingPunctures::Carry(const Word& word, std::size_t start, 
       carried = std::move(longer);
     }
     if (passage.end == end) carried.Append(passage.by);
-    if (carried.size() > kMostCarriedLetters) return std::nullopt;
+    if (carried.size() > most) return std::nullopt;
   }
   return carried;
 }

@@ -13,9 +13,10 @@
 
 namespace tautline {
 
-/// A carried word that grows longer than this is given up: every turn of two points around each other can multiply the
-/// length of a word, so that a short list of motions can ask for more letters than there is memory.
-inline constexpr std::size_t kMostCarriedLetters = 100'000;
+/// A carried word is given up when it has more letters than this and four for each of its own and for each time that
+/// two punctures changed places: every turn of three points around each other can multiply the length of a word, so
+/// that a short list of motions can ask for more letters than there is memory.
+inline constexpr std::size_t kMostCarriedLetters = 2000;
 
 /// What a moving point was led exactly through, so that nobody can say on which side it passed.
 struct PunctureCollision {
@@ -44,7 +45,7 @@ class MovingPunctures {
   tl::expected<void, PunctureCollision> Move(ObstacleId puncture, Point to);
 
   /// The reduced word, after all moves, of a path whose word was `word` before all of them. `start` and `end` are the
-  /// ends that it leads from and to. Nothing when it grows longer than kMostCarriedLetters. O(moves past each other *
+  /// ends that it leads from and to. Nothing when it grows too long, see kMostCarriedLetters. O(moves past each other *
   /// letters).
   std::optional<Word> Carry(const Word& word, std::size_t start, std::size_t end) const;
 

@@ -188,8 +188,8 @@ tl::expected<BoundarySide, BoundaryFault> FutureGround::CarrySide(std::size_t si
   if (!carried) {
     return tl::unexpected(SideFault(WorkspaceObstruction::kTooTangled, side,
                                     SideName(side, count) +
-                                        " winds around the obstacles that move so often that its word has more than " +
-                                        std::to_string(kMostCarriedLetters) + " letters"));
+                                        " cannot be followed: the obstacles that move wind it around each other so "
+                                        "often that its word grows to thousands of letters"));
   }
   const Point first_stub[] = {points_[side], from.base, from.exit.point};
   const Point last_stub[] = {to.exit.point, to.base, points_[next]};

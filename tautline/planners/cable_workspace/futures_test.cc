@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tautline/geometry/random_rings.h"
@@ -252,6 +256,43 @@ TEST_F(RoomWithTwoBlocks, MovesComeInTheirOrder) {
   const FutureOutcomes all = Carry({{0.5, {b_leaves, a_comes}}, {0.5, {a_comes, b_leaves}}});
   EXPECT_EQ(Words(all.outcomes[0])[0], "b a b^-1");
   EXPECT_EQ(Words(all.outcomes[1])[0], "a");
+}
+
+/// Three blocks in a row, over the first of which the lower side runs.
+class RoomWithThreeBlocks : public Room {
+ protected:
+  RoomWithThreeBlocks() : Room({{1, 4}, {4, 4}, {7, 4}}) { Lay({"a", "", "a^-1", ""}); }
+
+  /// The left block over the middle one, then the right one over the new middle one, and so on.
+  static Future Plait(int turns) {
+    Future future{1, {}};
+    std::array<std::string, 3> order{"a", "b", "c"};
+    for (int i = 0; i < turns; ++i) {
+      const bool from_left = i % 2 == 0;
+      const Point outer = from_left ? Point{2, 5} : Point{8, 5}, middle{5, 5}, beside{from_left ? 6.5 : 3.5, 8};
+      std::string& outer_name = order[from_left ? 0 : 2];
+      future.moves.push_back({outer_name, {outer, {outer.x, 8}, beside}});
+      future.moves.push_back({order[1], {middle, outer}});
+      future.moves.push_back({outer_name, {beside, middle}});
+      std::swap(outer_name, order[1]);
+    }
+    return future;
+  }
+};
+
+TEST_F(RoomWithThreeBlocks, WordsGrowByFactors) {
+  const FutureOutcomes few = Carry({Plait(9)});
+  ASSERT_TRUE(few.outcomes[0].boundary.has_value());
+  EXPECT_GT(few.outcomes[0].boundary->sides[0].path.word.size(), 100u);
+  // A boundary is pulled, not cut: its area is never larger than the room.
+  EXPECT_LT(few.expected_area, 100 - 3 * 4);
+  const FutureOutcomes many = Carry({Plait(60)});
+  ASSERT_FALSE(many.outcomes[0].boundary.has_value());
+  EXPECT_EQ(many.outcomes[0].boundary.error().obstruction, WorkspaceObstruction::kTooTangled);
+  EXPECT_EQ(many.outcomes[0].boundary.error().explanation,
+            "the side from anchor 1 to anchor 2 cannot be followed: the obstacles that move wind it around each other "
+            "so often that its word grows to thousands of letters");
+  EXPECT_EQ(many.lost_probability, 1);
 }
 
 /// a and b stand together now, and are one island; c stands in the wall.
