@@ -41,7 +41,7 @@ Pose LookAtPose(const WorkspaceRegion& region, Point at) {
   Pose pose{.position = region.Classify(at)};
   const auto ways = region.WaysTo(at);
   if (ways.empty()) {
-    pose.position = Position::kOutside;
+    pose.position = Containment::kOutside;
     return pose;
   }
   const Point robot = ways[0].at;
