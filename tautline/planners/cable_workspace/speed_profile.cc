@@ -27,7 +27,7 @@ SpeedProfile::State SpeedProfile::At(double t_s) const {
   const double t = std::clamp(t_s, 0.0, duration_s_), left = duration_s_ - t;
   if (t < ramp_s_ && t <= left) return {0.5 * *acceleration_ * t * t, *acceleration_ * t};
   if (left < ramp_s_) return {length_m_ - 0.5 * *acceleration_ * left * left, *acceleration_ * left};
-  return {std::min(ramp_m_ + (t - ramp_s_) * top_speed_, length_m_), top_speed_};
+  return {left == 0 ? length_m_ : std::min(ramp_m_ + (t - ramp_s_) * top_speed_, length_m_), top_speed_};
 }
 
 SpeedProfile::State SpeedProfile::AtDistance(double distance_m) const {
