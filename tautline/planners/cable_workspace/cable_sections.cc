@@ -46,9 +46,10 @@ class Sections {
  public:
   explicit Sections(const Way& way) : way_(way) {}
 
-  void Add(Point corner, double to_corner, double end) {
+  /// The cable bends last at the end of `via`.
+  void Add(std::span<const Point> via, double to_corner, double end) {
     const double begin = sections_.empty() ? 0 : sections_.back().end;
-    CableSection section{.corner = corner, .to_corner = to_corner, .begin = begin};
+    CableSection section{.via = {via.begin(), via.end()}, .corner = via.back(), .to_corner = to_corner, .begin = begin};
     section.end = std::clamp(end, begin, way_.length);
     if (section.end == begin) return;
     PlaceCorner(way_, section);
@@ -73,11 +74,9 @@ class Sections {
 
 /// Of a robot that stays.
 CableSection Standing(const CableEnds& cables) {
-  CableSection section{.corner = cables.before[0], .to_corner = cables.stub_length};
-  for (std::size_t i = 1; i + 1 < cables.before.size(); ++i) {
-    section.to_corner += Distance(section.corner, cables.before[i]);
-    section.corner = cables.before[i];
-  }
+  const std::span<const Point> via = cables.before.first(std::max<std::size_t>(cables.before.size(), 2) - 1);
+  CableSection section{.via = {via.begin(), via.end()}, .corner = via.back()};
+  section.to_corner = cables.stub_length + Length(via);
   section.off = Distance(section.corner, cables.before.back());
   return section;
 }
@@ -108,16 +107,16 @@ std::vector<CableSection> CableSections(const CableEnds& cables) {
     lengths.push_back(lengths.back() + Distance(before[i - 1], before[i]));
   }
   for (std::size_t i = before.size() - 1; i-- > shared;) {
-    sections.Add(before[i], lengths[i - shared + 1], HitBeyond(way, before[i - 1], before[i]));
+    sections.Add(before.first(i + 1), lengths[i - shared + 1], HitBeyond(way, before[i - 1], before[i]));
   }
   double length = to_apex;
   for (std::size_t i = shared - 1; i + 1 < after.size(); ++i) {
     if (i >= shared) length += Distance(after[i - 1], after[i]);
     const bool last = i + 2 >= after.size();
-    sections.Add(after[i], length, last ? way.length : HitBeyond(way, after[i], after[i + 1]));
+    sections.Add(after.first(i + 1), length, last ? way.length : HitBeyond(way, after[i], after[i + 1]));
   }
   // The robot has come to the apex itself.
-  if (shared == after.size()) sections.Add(after.back(), to_apex, way.length);
+  if (shared == after.size()) sections.Add(after, to_apex, way.length);
   return sections.Finish();
 }
 

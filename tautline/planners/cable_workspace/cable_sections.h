@@ -12,7 +12,8 @@ namespace tautline {
 /// A part of a straight way on which the cable runs straight to the robot from one corner. Distances are metres along
 /// the way.
 struct CableSection {
-  Point corner;          ///< The switching corner: where the cable bends last, or where it starts.
+  Polyline via;          ///< The taut cable from its exit to the corner; from there it runs straight to the robot.
+  Point corner;          ///< The switching corner: where the cable bends last, or where it starts. The end of `via`.
   double to_corner = 0;  ///< The length of the cable from the winch to the corner.
   double along = 0;      ///< Of the corner's foot on the line of the way.
   double off = 0;        ///< How far the corner is from that line, at least 0.
@@ -37,7 +38,7 @@ struct CableEnds {
 /// The sections of a way, in order, from 0 to its length; at least one. The cables share a part, and then form with the
 /// way a triangle with sides that bend inwards [Wang2018, Sec. V-B]. Where the edges of these sides, prolonged, hit the
 /// way, the corner switches; the slope is continuous there and grows along the whole way, since the taut length is
-/// convex. A corner on the way itself splits its section: the slope jumps from -1 to 1. O(corners).
+/// convex. A corner on the way itself splits its section: the slope jumps from -1 to 1. O(corners^2).
 std::vector<CableSection> CableSections(const CableEnds& cables);
 
 }  // namespace tautline

@@ -194,6 +194,16 @@ MoveSample SampleAt(const Move& move, std::size_t piece, double distance_m) {
   return sample;
 }
 
+std::vector<Polyline> CablesAt(const Move& move, std::size_t piece, double distance_m) {
+  const Point robot = SampleAt(move, piece, distance_m).robot;
+  std::vector<Polyline> cables;
+  for (const auto& sections : move.pieces[piece].cables) {
+    cables.push_back(SectionAt(sections, distance_m).via);
+    if (cables.back().back() != robot) cables.back().push_back(robot);
+  }
+  return cables;
+}
+
 std::vector<MoveSample> SampleMove(const Move& move, double dt_s) {
   TAUTLINE_CHECK(dt_s > 0);
   const std::vector<Moment> events = Events(move);

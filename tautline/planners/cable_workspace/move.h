@@ -60,6 +60,10 @@ struct MoveSample {
   std::vector<Point> corners;   ///< By winch: where its cable runs to from the robot.
 };
 
+/// The taut cables of the robot in one piece of a motion, at a distance from its start: by winch, from its exit to the
+/// robot.
+std::vector<Polyline> CablesAt(const Move& move, std::size_t piece, double distance_m);
+
 /// Whether options can be meant for so many winches. Errors: a number is not positive and finite; neither one limit nor
 /// one per winch.
 [[nodiscard]] Expected<void> CheckMoveOptions(const MoveOptions& options, std::size_t anchors);

@@ -146,7 +146,11 @@ TEST_P(RandomMoves, LengthsAndCornersAreThoseOfCablesPulledFromScratch) {
     for (std::size_t k = 0; k < move.pieces.size(); ++k) {
       for (int step = 1; step < 12; ++step) {
         const MoveSample sample = SampleAt(move, k, move.pieces[k].profile.length_m() * step / 12.0);
+        const std::vector<Polyline> cables = CablesAt(move, k, move.pieces[k].profile.length_m() * step / 12.0);
         for (std::size_t i = 0; i < sample.lengths.size(); ++i) {
+          EXPECT_NEAR(Length(cables[i]) + region.anchors()[i].stub_length, sample.lengths[i], 1e-9);
+          EXPECT_EQ(cables[i].front(), region.anchors()[i].exit.point);
+          EXPECT_EQ(cables[i].back(), sample.robot);
           const Polyline cable = CableFromScratch(region, i, move, k, sample.robot);
           const double length = Length(cable) + region.anchors()[i].stub_length;
           ASSERT_NEAR(sample.lengths[i], length, 1e-9);

@@ -44,7 +44,7 @@ std::optional<Point> FirstOutside(const WorkspaceRegion& region, std::span<const
     const std::vector<double> cuts = Cuts(region.boundary().ring, path[i], path[i + 1]);
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
       const Point middle = Lerp(path[i], path[i + 1], 0.5 * (cuts[k] + cuts[k + 1]));
-      if (region.Classify(middle) == Position::kOutside) return Lerp(path[i], path[i + 1], cuts[k]);
+      if (region.Classify(middle) == Containment::kOutside) return Lerp(path[i], path[i + 1], cuts[k]);
     }
   }
   return std::nullopt;
