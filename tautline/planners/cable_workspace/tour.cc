@@ -120,7 +120,7 @@ Order FindOrder(const Distances& distances, const TourOptions& options, Rng& rng
   order.tasks = NearestNeighbourTour(distances.chosen);
   order.tasks = ImproveTour(distances.chosen, std::move(order.tasks), {}, rng);
   order.bound = BoundTour(distances.least, {.known_length = TourLength(distances.chosen, order.tasks),
-                                            .rounds = order.stopped ? 1 : 1000,
+                                            .rounds = order.stopped ? 1 : 4000,
                                             .keep_going = order.stopped ? KeepGoing{} : keep_going});
   const int rounds = options.rounds_per_task * static_cast<int>(tasks);
   int round = 0;

@@ -22,7 +22,7 @@ struct TourStops {
 /// How hard to search.
 struct TourOptions {
   std::size_t most_exact = 15;  ///< Up to so many tasks the tour is the shortest; at most kMostExactTasks.
-  int rounds_per_task = 200;    ///< Beyond: perturbations of the local search, for each task.
+  int rounds_per_task = 500;    ///< Beyond: perturbations of the local search, for each task.
   Watcher watch = {};           ///< Told the share that is done. At a no the search ends with what it has.
 };
 

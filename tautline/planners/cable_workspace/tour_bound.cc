@@ -10,7 +10,7 @@ namespace {
 /// Rounds without a better bound after which steps are halved, and the share of the gap that the first steps take.
 constexpr int kPatience = 20;
 constexpr double kFirstStep = 1.5;
-constexpr double kLeastStep = 1e-4;
+constexpr double kLeastStep = 1e-8;
 
 /// The least spanning tree under prices.
 struct PricedTree {
