@@ -7,7 +7,9 @@
 namespace tautline::cli {
 
 Run AddWorkspaceBoundary(CLI::App& workspace);
+Run AddWorkspaceMove(CLI::App& workspace);
 Run AddWorkspacePose(CLI::App& workspace);
+Run AddWorkspaceTour(CLI::App& workspace);
 
 }  // namespace tautline::cli
 
