@@ -24,8 +24,8 @@ std::string ToText(const PoseAnswer& answer) {
   if (answer.status != kExitSolved) return fmt::format("No pose: {}.\n", answer.explanation);
   const Pose& pose = *answer.pose;
   const char* where = pose.position == Containment::kInside ? "inside the workspace"
-                      : pose.touches_obstacle            ? "on its boundary, touching blocked ground"
-                                                         : "on its boundary, in the open";
+                      : pose.touches_obstacle               ? "on its boundary, touching blocked ground"
+                                                            : "on its boundary, in the open";
   std::string text = fmt::format("The pose {} is {}.\n", ToText(answer.at), where);
   text += fmt::format("  the cables {} in every direction: widest angle {:.4g} degrees, margin {:.4g}\n",
                       pose.spans ? "can pull" : "cannot pull", pose.largest_gap * 180 / std::numbers::pi, pose.margin);
