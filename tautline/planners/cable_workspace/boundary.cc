@@ -90,7 +90,8 @@ tl::expected<std::vector<Walk>, BoundaryFault> FollowCables(const CableGround& g
     Polyline to_robot(laid[i].rbegin(), laid[i].rend());
     // Cables may start within rounding of one point; they have one end.
     to_robot.back() = robot->point;
-    const auto departure = ground.space().Follow(std::span(to_robot).subspan(1), walk);
+    // A cable whose robot is at the anchor may be that point alone.
+    const auto departure = ground.space().Follow(std::span(to_robot).subspan(to_robot.size() > 1 ? 1 : 0), walk);
     if (departure) return fault(WorkspaceObstruction::kLaidCableBlocked, i, departure->at);
     cables.push_back(*std::move(walk));
   }
