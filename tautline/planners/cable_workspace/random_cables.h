@@ -118,6 +118,37 @@ inline RandomCables MakeRandomCables(Rng& rng, bool lattice) {
   }
 }
 
+/// Random cables that make a valid boundary, and that.
+struct RandomWorkspace {
+  RandomCables cables;
+  WorkspaceBoundary boundary;
+};
+
+inline RandomWorkspace MakeRandomWorkspace(Rng& rng, bool lattice) {
+  for (;;) {
+    RandomCables cables = MakeRandomCables(rng, lattice);
+    auto boundary = BoundaryOfCables(cables.ground, cables.anchors, cables.laid);
+    if (boundary) return {std::move(cables), *std::move(boundary)};
+  }
+}
+
+/// A cable as it is laid from one anchor to the robot and on to another.
+inline Polyline LaidBetween(const RandomCables& cables, std::size_t from, std::size_t to) {
+  Polyline laid(cables.laid[from].rbegin(), cables.laid[from].rend());
+  laid.insert(laid.end(), cables.laid[to].begin(), cables.laid[to].end());
+  return laid;
+}
+
+/// The same world elsewhere: every point mapped.
+template <class Map>
+World MappedWorld(World world, Map map) {
+  for (Point& p : world.outline) p = map(p);
+  for (Obstacle& obstacle : world.obstacles) {
+    for (Point& p : obstacle.polygon->outer) p = map(p);
+  }
+  return world;
+}
+
 /// The walk from one anchor to another along their laid cables.
 inline Walk WalkByCables(const RandomCables& cables, std::size_t from, std::size_t to) {
   const auto walks = FollowCables(cables.ground, cables.anchors, cables.laid).value();

@@ -37,12 +37,6 @@ std::vector<Side> SidesOf(const RandomCables& cables) {
   return sides;
 }
 
-Polyline LaidBetween(const RandomCables& cables, std::size_t from, std::size_t to) {
-  Polyline laid(cables.laid[from].rbegin(), cables.laid[from].rend());
-  laid.insert(laid.end(), cables.laid[to].begin(), cables.laid[to].end());
-  return laid;
-}
-
 bool IsRectangle(const Ring& outline) { return outline.size() == 4; }
 
 bool OnRectangle(Point p, const Box& box) {
@@ -201,12 +195,8 @@ TEST_P(SideCrossingRandom, IsTheSameInAMirror) {
   for (std::int64_t seed = 0; seed < ScaledTestCount(300); ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed));
     const RandomCables cables = MakeRandomCables(rng, GetParam());
-    World world = cables.scene.world;
     const auto mirror = [](Point p) { return Point{16 - p.x, p.y}; };
-    for (Point& p : world.outline) p = mirror(p);
-    for (Obstacle& obstacle : world.obstacles) {
-      for (Point& p : obstacle.polygon->outer) p = mirror(p);
-    }
+    const World world = MappedWorld(cables.scene.world, mirror);
     EXPECT_TRUE(ExpectSameCrossings(cables, world, mirror, seed)) << "seed " << seed;
   }
 }
@@ -217,12 +207,8 @@ TEST_P(SideCrossingRandom, IsTheSameInAnotherUnit) {
   for (std::int64_t seed = 0; seed < ScaledTestCount(300); ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed));
     const RandomCables cables = MakeRandomCables(rng, GetParam());
-    World world = cables.scene.world;
     const auto scale = [](Point p) { return 0.1 * p; };
-    for (Point& p : world.outline) p = scale(p);
-    for (Obstacle& obstacle : world.obstacles) {
-      for (Point& p : obstacle.polygon->outer) p = scale(p);
-    }
+    const World world = MappedWorld(cables.scene.world, scale);
     compared += ExpectSameCrossings(cables, world, scale, seed) ? 1 : 0;
   }
   // What touches in points may come to overlap.
