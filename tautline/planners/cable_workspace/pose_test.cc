@@ -62,12 +62,12 @@ TEST_P(PoseRandom, SpansInsideAndByHalfPlanesAnywhere) {
       const Point at = on_side ? Lerp(a, b, rng.Uniform(0.1, 0.9)) : RandomPoint(rng, BoundingBox(boundary.ring));
       const Pose pose = LookAtPose(region, at);
       EXPECT_EQ(pose.position, region.Classify(at));
-      if (pose.position == Position::kOutside) continue;
+      if (pose.position == Containment::kOutside) continue;
       ASSERT_EQ(pose.cables.size(), cables.anchors.size());
       const Point robot = pose.cables[0].path.points.back();
       EXPECT_EQ(pose.spans, SpanByHalfPlanes(robot, CornersTowards(pose))) << testing::PrintToString(at);
       EXPECT_NEAR(pose.margin, MarginByDirections(pose), 1e-3);
-      if (pose.position == Position::kInside) {
+      if (pose.position == Containment::kInside) {
         ++inside;
         EXPECT_TRUE(pose.spans) << testing::PrintToString(at);
         EXPECT_LT(pose.largest_gap, std::numbers::pi + 1e-9);
@@ -100,16 +100,16 @@ struct Room {
 TEST(Pose, IsExactOnTheLineBetweenTwoAnchors) {
   const Room room({{0, 0}, {4, 1}, {0, 4}});
   const Pose on_line = LookAtPose(room.region, {1, 0.25});
-  EXPECT_EQ(on_line.position, Position::kBoundary);
+  EXPECT_EQ(on_line.position, Containment::kBoundary);
   EXPECT_FALSE(on_line.spans);
   EXPECT_NEAR(on_line.largest_gap, std::numbers::pi, 1e-12);
   EXPECT_NEAR(on_line.margin, 0, 1e-12);
   EXPECT_FALSE(on_line.touches_obstacle);
   const Pose above = LookAtPose(room.region, {1, 0.25 + 1e-9});
-  EXPECT_EQ(above.position, Position::kInside);
+  EXPECT_EQ(above.position, Containment::kInside);
   EXPECT_TRUE(above.spans);
   EXPECT_LT(above.margin, 1e-8);
-  EXPECT_EQ(LookAtPose(room.region, {1, 0.25 - 1e-9}).position, Position::kOutside);
+  EXPECT_EQ(LookAtPose(room.region, {1, 0.25 - 1e-9}).position, Containment::kOutside);
 }
 
 TEST(Pose, OfARobotInTheMiddle) {
@@ -125,7 +125,7 @@ TEST(Pose, OfARobotInTheMiddle) {
 TEST(Pose, OfARobotAtAnAnchorHasOneCableThatDoesNotPull) {
   const Room room({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
   const Pose pose = LookAtPose(room.region, {4, 4});
-  EXPECT_EQ(pose.position, Position::kBoundary);
+  EXPECT_EQ(pose.position, Containment::kBoundary);
   EXPECT_TRUE(pose.touches_obstacle);
   EXPECT_FALSE(pose.spans);
   ASSERT_EQ(pose.cables.size(), 4U);

@@ -67,9 +67,9 @@ TEST_P(RegionRandom, ClassifiesByTheWindingNumber) {
         away = std::min(away, DistanceToSegment(p, ring[i], ring[(i + 1) % ring.size()]));
       }
       if (away > 1e-9) {
-        EXPECT_EQ(region.Classify(p), WindingNumber(ring, p).number != 0 ? Position::kInside : Position::kOutside);
+        EXPECT_EQ(region.Classify(p), WindingNumber(ring, p).number != 0 ? Containment::kInside : Containment::kOutside);
       } else if (away == 0) {
-        EXPECT_EQ(region.Classify(p), Position::kBoundary);
+        EXPECT_EQ(region.Classify(p), Containment::kBoundary);
       }
     }
   });
@@ -90,22 +90,22 @@ TEST_P(RegionRandom, KeepsCablesInTheWorkspace) {
     for (int k = 0; k < 30; ++k) {
       const Point p = SomePoint(rng, workspace.boundary);
       const auto ways = region.WaysTo(p);
-      const Position position = region.Classify(p);
-      EXPECT_EQ(ways.empty(), position == Position::kOutside) << testing::PrintToString(p);
-      if (position == Position::kInside) {
+      const Containment position = region.Classify(p);
+      EXPECT_EQ(ways.empty(), position == Containment::kOutside) << testing::PrintToString(p);
+      if (position == Containment::kInside) {
         EXPECT_EQ(ways.size(), 1U) << testing::PrintToString(p);
         ++inside;
       }
       for (const Walk& way : ways) {
         const auto cables = CablesTo(region, way);
-        if (position == Position::kInside) {
+        if (position == Containment::kInside) {
           EXPECT_EQ(std::abs(WindingOfPulls(cables, p)), 1) << testing::PrintToString(p);
         }
         for (const TautPath& cable : cables) {
           for (std::size_t i = 0; i + 1 < cable.points.size(); ++i) {
             for (const double share : {0.0, 0.3, 0.7, 1.0}) {
               const Point on_cable = Lerp(cable.points[i], cable.points[i + 1], share);
-              EXPECT_NE(region.Classify(on_cable), Position::kOutside)
+              EXPECT_NE(region.Classify(on_cable), Containment::kOutside)
                   << testing::PrintToString(p) << " " << testing::PrintToString(on_cable);
             }
           }
@@ -127,7 +127,7 @@ TEST_P(RegionRandom, HasTheLaidCables) {
       laid.push_back(cables.ground.space().Pull(walk));
     }
     const auto place = cables.ground.space().Locate(cables.robot);
-    if (region.Classify(cables.robot) == Position::kBoundary) return;
+    if (region.Classify(cables.robot) == Containment::kBoundary) return;
     if (cables.ground.space().mesh().MoveOntoBoundary(cables.robot, 1e-9)) return;
     const bool goes_around = WindingOfPulls(laid, place->point) != 0;
     const auto ways = region.WaysTo(cables.robot);
