@@ -45,6 +45,13 @@ bool IsClosed(const CableGround& ground, const std::vector<Walk>& walks) {
   return loop.sleeve.size() == 1;
 }
 
+/// Whether two walks end in one sector: where blocked ground touches, cables from both sides end at one point and do not
+/// meet.
+bool CanMeet(const FreeMesh& mesh, const Walk& first, const Walk& second) {
+  Walk turned(Place{second.at, second.sleeve.back()});
+  return TurnInto(mesh, first.sleeve.back(), turned);
+}
+
 }  // namespace
 
 tl::expected<WorkspaceBoundary, BoundaryFault> CloseBoundary(const CableGround& ground, const Anchors& anchors,
@@ -94,6 +101,9 @@ tl::expected<std::vector<Walk>, BoundaryFault> FollowCables(const CableGround& g
     const auto departure = ground.space().Follow(std::span(to_robot).subspan(to_robot.size() > 1 ? 1 : 0), walk);
     if (departure) return fault(WorkspaceObstruction::kLaidCableBlocked, i, departure->at);
     cables.push_back(*std::move(walk));
+    if (!CanMeet(ground.space().mesh(), cables.front(), cables.back())) {
+      return fault(WorkspaceObstruction::kLaidCableBlocked, i, robot->point);
+    }
   }
   return cables;
 }
