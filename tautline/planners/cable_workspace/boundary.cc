@@ -176,7 +176,7 @@ std::vector<LongestCable> LongestCables(const CableGround& ground, const Anchors
     Walk walk = boundary.sides[i].walk;
     for (std::size_t k = NextAnchor(i, n); k != i; k = NextAnchor(k, n)) {
       TautPath path = ground.space().Pull(walk);
-      const double length = anchors[i].stub_length + path.length + anchors[k].stub_length;
+      const double length = anchors[i].stub_length + path.length;
       if (length > longest[i].length) longest[i] = {length, k, std::move(path)};
       walk = Joined(ground.space().mesh(), walk, boundary.sides[k].walk);
     }
