@@ -74,8 +74,9 @@ tl::expected<WorkspaceBoundary, BoundaryFault> CloseBoundary(const CableGround& 
     boundary.sides.push_back({paths[i], std::move(walks[i])});
   }
   boundary.ring = RingOf(anchors, boundary.sides);
-  if (DropCollinear(boundary.ring).size() < 3) return fault(WorkspaceObstruction::kNoArea, {});
   boundary.area = std::fabs(SignedArea(boundary.ring));
+  // Anchors in a line beside a slanted wall are off it by rounding.
+  if (!(boundary.area > ground.space().tolerance() * boundary.length)) return fault(WorkspaceObstruction::kNoArea, {});
   return boundary;
 }
 

@@ -56,7 +56,8 @@ struct BoundaryFault {
 };
 
 /// Closes a boundary from one walk per anchor to the next. Valid when the walks multiply to the trivial class, no two
-/// sides cross (see CablesCross; weakly simple, that is) and some area is inside. `paths`: the sides pulled taut, where
+/// sides cross (see CablesCross; weakly simple, that is) and some area is inside, more than the tolerance of the space
+/// times the length. `paths`: the sides pulled taut, where
 /// they are known already; by default they are pulled here. O(sides^2) comparisons of walks.
 tl::expected<WorkspaceBoundary, BoundaryFault> CloseBoundary(const CableGround& ground, const Anchors& anchors,
                                                              std::vector<Walk> walks, std::vector<TautPath> paths = {});

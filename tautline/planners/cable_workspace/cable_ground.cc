@@ -57,7 +57,7 @@ tl::expected<Anchors, AnchorFault> PlaceAnchors(const CableGround& ground, std::
     }
     for (std::size_t k = 0; k < i; ++k) {
       if (Distance(anchors[k].exit.point, socket->exit.point) > 2 * ground.space().tolerance()) continue;
-      return tl::unexpected(AnchorFault{i, ToText(points[i]) + " stands where cables.anchors[" + std::to_string(k) +
+      return tl::unexpected(AnchorFault{i, ToText(points[i]) + " stands where cables.anchors[" + std::to_string(k + 1) +
                                                "] stands: give each winch a place of its own"});
     }
     anchors.push_back(*socket);
