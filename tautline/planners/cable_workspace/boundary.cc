@@ -45,8 +45,8 @@ bool IsClosed(const CableGround& ground, const std::vector<Walk>& walks) {
   return loop.sleeve.size() == 1;
 }
 
-/// Whether two walks end in one sector: where blocked ground touches, cables from both sides end at one point and do not
-/// meet.
+/// Whether two walks end in one sector: where blocked ground touches, cables from both sides end at one point and do
+/// not meet.
 bool CanMeet(const FreeMesh& mesh, const Walk& first, const Walk& second) {
   Walk turned(Place{second.at, second.sleeve.back()});
   return TurnInto(mesh, first.sleeve.back(), turned);

@@ -79,8 +79,8 @@ tl::expected<WorkspaceBoundary, BoundaryFault> BoundaryOfWords(const CableGround
 /// The islands at which the boundary bends, in the order in which it first meets them; walls have none.
 std::vector<ObstacleId> TouchedIslands(const CableGround& ground, const WorkspaceBoundary& boundary);
 
-/// The longest cable that an anchor needs in the workspace: where the robot is at another anchor, or, with clearance, at
-/// its exit, since the taut length is convex in the cover. [Wang2018, Sec. IV-C.4]
+/// The longest cable that an anchor needs in the workspace: where the robot is at another anchor, or, with clearance,
+/// at its exit, since the taut length is convex in the cover. [Wang2018, Sec. IV-C.4]
 struct LongestCable {
   double length = 0;         ///< With the anchor's own stub, metres.
   std::size_t farthest = 0;  ///< The anchor at whose exit the robot is then.

@@ -246,8 +246,8 @@ TEST(Boundary, NeedsCablesInTheFreeGround) {
   const auto scene = Block();
   const std::vector<Point> corners{{0, 0}, {8, 0}, {8, 5}, {0, 5}};
   const SketchedCables cables(scene.world, corners);
-  const auto through = cables.Boundary(
-      {{scene['R'], {0, 0}}, {scene['R'], {8, 0}}, {scene['R'], {3, 1}, {8, 5}}, {scene['R'], {0, 5}}});
+  const auto through =
+      cables.Boundary({{scene['R'], {0, 0}}, {scene['R'], {8, 0}}, {scene['R'], {3, 1}, {8, 5}}, {scene['R'], {0, 5}}});
   ASSERT_FALSE(through);
   EXPECT_EQ(through.error().obstruction, WorkspaceObstruction::kLaidCableBlocked);
   EXPECT_THAT(through.error().sides, ElementsAre(2));

@@ -67,7 +67,8 @@ TEST_P(RegionRandom, ClassifiesByTheWindingNumber) {
         away = std::min(away, DistanceToSegment(p, ring[i], ring[(i + 1) % ring.size()]));
       }
       if (away > 1e-9) {
-        EXPECT_EQ(region.Classify(p), WindingNumber(ring, p).number != 0 ? Containment::kInside : Containment::kOutside);
+        EXPECT_EQ(region.Classify(p),
+                  WindingNumber(ring, p).number != 0 ? Containment::kInside : Containment::kOutside);
       } else if (away == 0) {
         EXPECT_EQ(region.Classify(p), Containment::kBoundary);
       }
