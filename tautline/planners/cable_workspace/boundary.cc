@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tautline/base/check.h"
+#include "tautline/geometry/predicates.h"
 #include "tautline/homotopy/classes.h"
 #include "tautline/homotopy/word_path.h"
 #include "tautline/planners/cable_workspace/explain_workspace.h"
@@ -27,12 +28,40 @@ Ring RingOf(const Anchors& anchors, const std::vector<BoundarySide>& sides) {
   return ring;
 }
 
-/// The first pair of sides that cross, or a side that crosses itself.
-std::vector<std::size_t> FindCrossing(const TautSpace& space, const std::vector<Walk>& walks) {
+/// Whether segments cross by more than the rounding of ends beside slanted walls.
+bool CrossClearly(Point a, Point b, Point c, Point d, double tolerance) {
+  const double least = std::min(
+      {DistanceToSegment(a, c, d), DistanceToSegment(b, c, d), DistanceToSegment(c, a, b), DistanceToSegment(d, a, b)});
+  return least > tolerance && CrossProperly(a, b, c, d);
+}
+
+bool CurvesCross(const Polyline& a, const Polyline& b, double tolerance) {
+  for (std::size_t i = 0; i + 1 < a.size(); ++i) {
+    for (std::size_t k = 0; k + 1 < b.size(); ++k) {
+      if (CrossClearly(a[i], a[i + 1], b[k], b[k + 1], tolerance)) return true;
+    }
+  }
+  return false;
+}
+
+/// The first pair of sides that cross, or a side that crosses itself. What ends in the open crosses nothing by its
+/// class; its segments may.
+std::vector<std::size_t> FindCrossing(const TautSpace& space, const std::vector<Walk>& walks,
+                                      const std::vector<TautPath>& paths) {
+  std::vector<bool> is_open;
+  for (const Walk& walk : walks) {
+    is_open.push_back(!EndsOnBoundary(space, {walk.from, walk.sleeve.front()}) ||
+                      !EndsOnBoundary(space, {walk.at, walk.sleeve.back()}));
+  }
   for (std::size_t i = 0; i < walks.size(); ++i) {
     if (CablesCross(space, walks[i], walks[i])) return {i};
     for (std::size_t k = 0; k < i; ++k) {
       if (CablesCross(space, walks[k], walks[i])) return {k, i};
+    }
+    for (std::size_t k = 0; k <= i; ++k) {
+      if (!is_open[i] && !is_open[k]) continue;
+      if (!CurvesCross(paths[k].points, paths[i].points, space.tolerance())) continue;
+      return k == i ? std::vector{i} : std::vector{k, i};
     }
   }
   return {};
@@ -65,7 +94,7 @@ tl::expected<WorkspaceBoundary, BoundaryFault> CloseBoundary(const CableGround& 
     return tl::unexpected(std::move(found));
   };
   if (!IsClosed(ground, walks)) return fault(WorkspaceObstruction::kNotClosed, {});
-  if (auto crossing = FindCrossing(ground.space(), walks); !crossing.empty()) {
+  if (auto crossing = FindCrossing(ground.space(), walks, paths); !crossing.empty()) {
     return fault(WorkspaceObstruction::kCrossesItself, std::move(crossing));
   }
   WorkspaceBoundary boundary;

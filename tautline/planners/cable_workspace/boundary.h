@@ -58,7 +58,9 @@ struct BoundaryFault {
 /// Closes a boundary from one walk per anchor to the next. Valid when the walks multiply to the trivial class, no two
 /// sides cross (see CablesCross; weakly simple, that is) and some area is inside, more than the tolerance of the space
 /// times the length. `paths`: the sides pulled taut, where
-/// they are known already; by default they are pulled here. O(sides^2) comparisons of walks.
+/// they are known already; by default they are pulled here. An anchor in the open has no side on which its curves end:
+/// they are refused where their segments cross others, but may cross at a corner that both bend around. O(sides^2)
+/// comparisons of walks.
 tl::expected<WorkspaceBoundary, BoundaryFault> CloseBoundary(const CableGround& ground, const Anchors& anchors,
                                                              std::vector<Walk> walks, std::vector<TautPath> paths = {});
 

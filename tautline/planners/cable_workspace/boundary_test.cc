@@ -233,6 +233,18 @@ TEST(Boundary, OfAnchorsInAnotherOrderCrossesItself) {
   EXPECT_EQ(boundary.error().curves.size(), 4U);
 }
 
+TEST(Boundary, OfAnchorsInTheOpenCrossesItselfAsWell) {
+  const auto scene = Block();
+  const std::vector<Point> points{{1, 1}, {3, 4}, {3, 1}, {1, 4}};
+  const SketchedCables cables(scene.world, points);
+  const auto boundary = cables.Boundary(Straight({2, 3}, points));
+  ASSERT_FALSE(boundary);
+  EXPECT_EQ(boundary.error().obstruction, WorkspaceObstruction::kCrossesItself);
+  EXPECT_THAT(boundary.error().sides, ElementsAre(0, 2));
+  const std::vector<Point> in_order{{1, 1}, {3, 1}, {3, 4}, {1, 4}};
+  EXPECT_NEAR(SketchedCables(scene.world, in_order).Boundary(Straight({2, 3}, in_order))->area, 6, 1e-12);
+}
+
 TEST(Boundary, OfAnchorsInALineHoldsNothing) {
   const auto scene = Block();
   const std::vector<Point> points{{1, 0}, {3, 0}, {7, 0}};
