@@ -2,7 +2,7 @@
 #ifndef TAUTLINE_HOMOTOPY_WORD_DRAWING_H_
 #define TAUTLINE_HOMOTOPY_WORD_DRAWING_H_
 
-#include <map>
+#include <cstddef>
 #include <vector>
 
 #include "tautline/base/rng.h"
@@ -22,19 +22,26 @@ class WordDrawing {
   Polyline Draw(Point from, const Word& word, Point to) const;
 
  private:
-  /// The rays that share an x, from the lowest start up, and lines beside and above them.
+  /// The rays that share an x, or nearly, from the lowest start up, and lines beside and above them.
   struct Column {
+    double low_x;   ///< Of the leftmost ray.
+    double high_x;  ///< Of the rightmost one.
     double left;
     double right;
     std::vector<ObstacleId> islands;
     std::vector<double> above;  ///< A height between the start of each ray and the next higher one's.
   };
 
+  void AddColumns(const FreeSpace& space);
+
   void AddCrossing(const Column& column, std::size_t k, bool inverse, Polyline& drawing) const;
   void AddLetter(Letter letter, Polyline& drawing) const;
+  /// Whether a traveller to the right crosses a's ray before b's.
+  bool CrossedBefore(ObstacleId a, ObstacleId b) const;
 
-  std::map<double, Column> columns_;
-  std::vector<double> column_of_island_;
+  std::vector<Column> columns_;  ///< From the left.
+  std::vector<std::size_t> column_of_island_;
+  std::vector<double> x_of_island_;
   double ground_;
 };
 
