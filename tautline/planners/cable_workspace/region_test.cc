@@ -66,7 +66,7 @@ TEST_P(RegionRandom, ClassifiesByTheWindingNumber) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         away = std::min(away, DistanceToSegment(p, ring[i], ring[(i + 1) % ring.size()]));
       }
-      if (away > 1e-9) {
+      if (away > region.ground().space().tolerance()) {
         EXPECT_EQ(region.Classify(p),
                   WindingNumber(ring, p).number != 0 ? Containment::kInside : Containment::kOutside);
       } else if (away == 0) {
