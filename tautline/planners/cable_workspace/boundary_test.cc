@@ -245,6 +245,18 @@ TEST(Boundary, OfAnchorsInTheOpenCrossesItselfAsWell) {
   EXPECT_NEAR(SketchedCables(scene.world, in_order).Boundary(Straight({2, 3}, in_order))->area, 6, 1e-12);
 }
 
+// The diagonal may be an edge of the triangulation, or cross one.
+TEST(Boundary, OfAnAnchorInTheOpenMayTouchItThere) {
+  for (const double up : {1.0, -1.0}) {
+    const World world{
+        .outline = {{0, 0}, {15, 0}, {15, 15 * up}, {0, 15 * up}}, .obstacles = {}, .map = {}, .cells = {}};
+    const std::vector<Point> points{{0, 0}, {15, 15 * up}, {0, 3 * up}, {4, 4 * up}};
+    const auto boundary = SketchedCables(world, points).Boundary(Straight({1, 2 * up}, points));
+    ASSERT_TRUE(boundary) << boundary.error().explanation;
+    EXPECT_NEAR(boundary->area, 16.5, 1e-9);
+  }
+}
+
 TEST(Boundary, OfAnchorsInALineHoldsNothing) {
   const auto scene = Block();
   const std::vector<Point> points{{1, 0}, {3, 0}, {7, 0}};

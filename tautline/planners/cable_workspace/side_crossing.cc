@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <compare>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "tautline/geometry/polygon.h"
+#include "tautline/geometry/predicates.h"
 
 namespace tautline {
 namespace {
@@ -45,16 +47,36 @@ std::optional<Spot> EndSpot(const Ground& ground, TriangleId id, Point p) {
 }
 
 /// A walk read forwards or backwards.
-struct Reading {
-  const Walk& walk;
-  bool forwards;
-
-  std::size_t size() const { return walk.sleeve.size(); }
-  TriangleId operator[](std::size_t i) const {
-    return walk.sleeve.triangles()[forwards ? i : walk.sleeve.size() - 1 - i];
+class Reading {
+ public:
+  Reading(const Ground& ground, const Walk& walk, bool forwards)
+      : walk_(walk), forwards_(forwards), triangles_(walk.sleeve.triangles()) {
+    const auto n = triangles_.size();
+    if (n > 1 && EndsOnEdge(ground, triangles_[n - 2], triangles_[n - 1], walk.at))
+      triangles_ = triangles_.first(n - 1);
+    if (triangles_.size() > 1 && EndsOnEdge(ground, triangles_[1], triangles_[0], walk.from)) {
+      triangles_ = triangles_.subspan(1);
+    }
   }
-  Point first() const { return forwards ? walk.from : walk.at; }
-  Point last() const { return forwards ? walk.at : walk.from; }
+
+  std::size_t size() const { return triangles_.size(); }
+  TriangleId operator[](std::size_t i) const { return triangles_[forwards_ ? i : triangles_.size() - 1 - i]; }
+  Point first() const { return forwards_ ? walk_.from : walk_.at; }
+  Point last() const { return forwards_ ? walk_.at : walk_.from; }
+
+ private:
+  /// Whether a walk ends in the open on the edge that leads into its last triangle: it does not pass what runs along
+  /// that edge.
+  static bool EndsOnEdge(const Ground& ground, TriangleId before, TriangleId last, Point end) {
+    if (EndSpot(ground, last, end)) return false;
+    const int i = ground.mesh.triangle(last).IndexOf(before);
+    return OnSegment(ground.mesh.triangulation().corner(last, Next(i)),
+                     ground.mesh.triangulation().corner(last, Previous(i)), end);
+  }
+
+  const Walk& walk_;
+  bool forwards_;
+  std::span<const TriangleId> triangles_;
 };
 
 /// The edge through which a triangle is left to a neighbour.
@@ -128,7 +150,8 @@ bool CrossInOneDirection(const Ground& ground, const Reading& a, const Reading& 
 bool CablesCross(const TautSpace& space, const Walk& a, const Walk& b) {
   const Ground ground{space.mesh(), space.tolerance()};
   // With itself, a walk shares all of itself, and parts nowhere.
-  return CrossInOneDirection(ground, {a, true}, {b, true}) || CrossInOneDirection(ground, {a, true}, {b, false});
+  return CrossInOneDirection(ground, {ground, a, true}, {ground, b, true}) ||
+         CrossInOneDirection(ground, {ground, a, true}, {ground, b, false});
 }
 
 bool EndsOnBoundary(const TautSpace& space, const Place& place) {
