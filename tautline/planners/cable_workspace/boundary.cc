@@ -53,10 +53,12 @@ std::vector<std::size_t> FindCrossing(const TautSpace& space, const std::vector<
     is_open.push_back(!EndsOnBoundary(space, {walk.from, walk.sleeve.front()}) ||
                       !EndsOnBoundary(space, {walk.at, walk.sleeve.back()}));
   }
+  std::vector<WalkSpots> spots;
   for (std::size_t i = 0; i < walks.size(); ++i) {
-    if (CablesCross(space, walks[i], walks[i])) return {i};
+    spots.emplace_back(space, walks[i]);
+    if (CablesCross(spots[i], spots[i])) return {i};
     for (std::size_t k = 0; k < i; ++k) {
-      if (CablesCross(space, walks[k], walks[i])) return {k, i};
+      if (CablesCross(spots[k], spots[i])) return {k, i};
     }
     for (std::size_t k = 0; k <= i; ++k) {
       if (!is_open[i] && !is_open[k]) continue;
