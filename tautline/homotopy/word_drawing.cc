@@ -21,8 +21,8 @@ void WordDrawing::AddColumns(const FreeSpace& space) {
   column_of_island_.resize(order.size());
   for (const ObstacleId id : order) {
     const double x = x_of_island_[id.index()];
-    if (columns_.empty() || x - columns_.back().high_x > kSpacings * space.grid)
-      columns_.push_back({x, x, x, x, {}, {}});
+    const bool is_new = columns_.empty() || x - columns_.back().high_x > kSpacings * space.grid;
+    if (is_new) columns_.push_back({x, x, x, x, {}, {}});
     columns_.back().high_x = x;
     columns_.back().islands.push_back(id);
     column_of_island_[id.index()] = columns_.size() - 1;

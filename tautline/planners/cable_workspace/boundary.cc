@@ -49,6 +49,7 @@ bool CurvesCross(const Polyline& a, const Polyline& b, double tolerance) {
 std::vector<std::size_t> FindCrossing(const TautSpace& space, const std::vector<Walk>& walks,
                                       const std::vector<TautPath>& paths) {
   std::vector<bool> is_open;
+  is_open.reserve(walks.size());
   for (const Walk& walk : walks) {
     is_open.push_back(!EndsOnBoundary(space, {walk.from, walk.sleeve.front()}) ||
                       !EndsOnBoundary(space, {walk.at, walk.sleeve.back()}));
