@@ -50,8 +50,7 @@ std::string ToText(const MoveAnswer& answer) {
                   Counted(answer.samples.size(), "sample", "samples"), Describe(move.path.points));
   for (std::size_t i = 0; i < answer.setup.anchors.size(); ++i) text += DescribeWinch(answer, i);
   if (move.outside) {
-    text +=
-        fmt::format("  the path leaves the workspace at {}, which turns inwards at a winch\n", ToText(*move.outside));
+    text += fmt::format("  the path leaves the workspace at {}, beside a winch in the open\n", ToText(*move.outside));
   }
   return text + DescribeVerification(answer.verified_curves);
 }

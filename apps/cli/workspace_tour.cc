@@ -45,8 +45,7 @@ std::string ToText(const TourAnswer& answer) {
   text += fmt::format("  {:>13}  {}\n", Metres(tour.legs.back().length),
                       answer.stops.goal ? "the goal " + ToText(*answer.stops.goal) : "back to the start");
   if (tour.outside) {
-    text +=
-        fmt::format("  the path leaves the workspace at {}, which turns inwards at a winch\n", ToText(*tour.outside));
+    text += fmt::format("  the path leaves the workspace at {}, beside a winch in the open\n", ToText(*tour.outside));
   }
   return text + DescribeVerification(answer.verified_curves);
 }
