@@ -10,7 +10,7 @@
 #include "apps/cli/option_checks.h"
 #include "apps/cli/progress_bar.h"
 #include "apps/cli/workspace_commands.h"
-#include "tautline/draw/draw_candidates.h"
+#include "apps/pictures/workspace_pictures.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
@@ -53,18 +53,6 @@ std::string ToText(const BestAnswer& answer) {
   return text + DescribeVerification(answer.verified_curves);
 }
 
-std::string Draw(const Scene& scene, const BestAnswer& answer) {
-  CandidatesPicture picture{.candidates = {},
-                            .found = answer.found,
-                            .complete = answer.complete,
-                            .max_boundary = answer.max_boundary,
-                            .explanation = answer.explanation};
-  for (const RankedBoundary& ranked : answer.ranked) {
-    picture.candidates.push_back({&ranked.boundary, ranked.futures ? &*ranked.futures : nullptr});
-  }
-  return DrawCandidates(scene, answer.setup.ground.space().free_space(), picture);
-}
-
 Expected<int> RunBest(const BestCommand& command) {
   const auto scene = ReadScene(command.common);
   if (!scene) return tl::unexpected(scene.error());
@@ -78,7 +66,7 @@ Expected<int> RunBest(const BestCommand& command) {
   if (!answer) return tl::unexpected(answer.error());
   return Deliver(command.common, {.json = answer->json,
                                   .text = ToText(*answer),
-                                  .draw = [&] { return Draw(*scene, *answer); },
+                                  .draw = [&] { return DrawAnswer(*scene, *answer); },
                                   .status = answer->status});
 }
 

@@ -7,8 +7,7 @@
 #include "apps/cli/common_options.h"
 #include "apps/cli/describe.h"
 #include "apps/cli/workspace_commands.h"
-#include "tautline/draw/draw_candidates.h"
-#include "tautline/draw/draw_workspace.h"
+#include "apps/pictures/workspace_pictures.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
@@ -49,19 +48,12 @@ std::string ToText(const BoundaryAnswer& answer) {
   return text + DescribeVerification(answer.verified_curves);
 }
 
-std::string Draw(const Scene& scene, const BoundaryAnswer& answer) {
-  const FreeSpace& space = answer.setup.ground.space().free_space();
-  if (answer.outcomes) return DrawFutures(scene, space, *answer.boundary, *answer.futures, *answer.outcomes);
-  return DrawWorkspace(scene, space,
-                       {.anchors = answer.setup.anchors, .boundary = answer.boundary, .longest = answer.longest});
-}
-
 Expected<int> RunBoundary(const CommonOptions& options) {
   const auto scene = ReadScene(options);
   if (!scene) return tl::unexpected(scene.error());
   const auto answer = AnswerBoundary(*scene, {.verify = options.verify});
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] { return Draw(*scene, *answer); };
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
   return Deliver(options, {.json = answer->json, .text = ToText(*answer), .draw = draw, .status = answer->status});
 }
 

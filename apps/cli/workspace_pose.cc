@@ -9,7 +9,7 @@
 #include "apps/cli/describe.h"
 #include "apps/cli/point_option.h"
 #include "apps/cli/workspace_commands.h"
-#include "tautline/draw/draw_workspace.h"
+#include "apps/pictures/workspace_pictures.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
@@ -47,15 +47,7 @@ Expected<int> RunPose(const PoseCommand& command) {
   }
   const auto answer = AnswerPose(*scene, question);
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    const FreeSpace& space = answer->setup.ground.space().free_space();
-    const Anchors& anchors = answer->setup.anchors;
-    if (!answer->pose) {
-      return DrawWorkspace(*scene, space, {.anchors = anchors, .boundary = answer->boundary, .longest = {}});
-    }
-    return DrawPose(*scene, space,
-                    {.anchors = anchors, .boundary = answer->boundary, .at = answer->at, .pose = *answer->pose});
-  };
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
   return Deliver(command.common,
                  {.json = answer->json, .text = ToText(*answer), .draw = draw, .status = answer->status});
 }

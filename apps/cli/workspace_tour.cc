@@ -11,8 +11,7 @@
 #include "apps/cli/point_option.h"
 #include "apps/cli/progress_bar.h"
 #include "apps/cli/workspace_commands.h"
-#include "tautline/draw/draw_tour.h"
-#include "tautline/draw/draw_workspace.h"
+#include "apps/pictures/workspace_pictures.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
@@ -68,18 +67,7 @@ Expected<int> RunTour(const TourCommand& command) {
   const auto answer = AnswerTour(*scene, question);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    const FreeSpace& space = answer->setup.ground.space().free_space();
-    if (!answer->tour) {
-      return DrawWorkspace(*scene, space,
-                           {.anchors = answer->setup.anchors, .boundary = answer->boundary, .longest = {}});
-    }
-    return DrawTour(*scene, space,
-                    {.anchors = answer->setup.anchors,
-                     .boundary = *answer->boundary,
-                     .stops = answer->stops,
-                     .tour = *answer->tour});
-  };
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
   return Deliver(command.common,
                  {.json = answer->json, .text = ToText(*answer), .draw = draw, .status = answer->status});
 }
