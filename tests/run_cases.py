@@ -24,7 +24,8 @@ def ask(program, scene, command):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "scene.json")
         path.write_text(json.dumps(scene))
-        process = subprocess.run([program, command[0], path, *command[1:], "--json"],
+        words = 2 if command[0] == "workspace" else 1
+        process = subprocess.run([program, *command[:words], path, *command[words:], "--json"],
                                  capture_output=True, text=True, timeout=TIMEOUT_S)
     try:
         answer = json.loads(process.stdout)
@@ -61,6 +62,19 @@ def class_difference(got, want, tolerance):
     return None
 
 
+def motion_difference(got, want, tolerance):
+    """The first way in which a motion or a tour in a workspace differs from what is expected, or None."""
+    if got["command"] not in ("workspace move", "workspace tour"):
+        return None
+    for key in ("status", "reason", "order", "optimal"):
+        if key in want and got.get(key) != want[key]:
+            return f"{key} {got.get(key)}, wanted {want[key]}"
+    for key in ("length", "duration"):
+        if key in want and not close(got[key], want[key], tolerance):
+            return f"{key} {got[key]}, wanted {want[key]}"
+    return None
+
+
 def reach_difference(got, want, tolerance):
     """The first way in which a reach differs from what is expected, or None. `at` is the least tether to the point,
     `rings` the number of rings of the boundary, `words` those of all sheets in any order."""
@@ -78,8 +92,40 @@ def reach_difference(got, want, tolerance):
     return None
 
 
+def workspace_difference(got, want, tolerance):
+    """The first way in which a workspace, a pose or a list of boundaries differs from what is expected, or None.
+    `lengths` are those of the sides, `areas` those of the boundaries of a list."""
+    if "count" in want or "areas" in want:
+        areas = [b["area"] for b in got["boundaries"]]
+        if len(areas) != want.get("count", len(areas)) or got["complete"] is not True:
+            return f"{len(areas)} boundaries, complete: {got['complete']}, wanted {want['count']}"
+        found = {"areas": areas}
+    else:
+        found = {"area": got.get("area"), "margin": got.get("margin"),
+                 "lengths": [s["length"] for s in got.get("sides", [])],
+                 "max_cable_lengths": got.get("max_cable_lengths"), "boundary": got.get("boundary"),
+                 "cable_lengths": [c["length"] for c in got.get("cables", [])]}
+    for key in ("status", "reason", "words", "position", "spans", "touches"):
+        if key in want and got.get(key) != want[key]:
+            return f"{key} {got.get(key)}, wanted {want[key]}"
+    for key, value in found.items():
+        if key in want and not all_close(value, want[key], tolerance):
+            return f"{key} {value}, wanted {want[key]}"
+    return None
+
+
+def all_close(got, want, tolerance):
+    """Whether two numbers, or two lists of such, agree."""
+    if isinstance(want, list):
+        return isinstance(got, list) and len(got) == len(want) and all(
+            all_close(a, b, tolerance) for a, b in zip(got, want))
+    return got is not None and close(got, want, tolerance)
+
+
 def difference(got, want, tolerance):
     """The first way in which an answer differs from what is expected, or None."""
+    if got["command"].startswith("workspace"):
+        return workspace_difference(got, want, tolerance)
     if got["command"] == "reach":
         return reach_difference(got, want, tolerance)
     if "classes" in got:
@@ -115,6 +161,7 @@ def main():
         try:
             answer = ask(program, case["scene"], case["command"])
             why = difference(answer, case["expect"], case["tolerance"])
+            why = why or motion_difference(answer, case["expect"], case["tolerance"])
         except (ValueError, KeyError, subprocess.TimeoutExpired) as error:
             why = f"{type(error).__name__}: {error}"
         results.append((path.name, why))

@@ -6,6 +6,7 @@
 
 #include "apps/answers/reach_answer.h"
 #include "apps/answers/show_answer.h"
+#include "apps/pictures/workspace_pictures.h"
 #include "apps/wasm/ask_options.h"
 #include "tautline/draw/draw_classes.h"
 #include "tautline/draw/draw_plan.h"
@@ -105,15 +106,55 @@ Reply Show(const Scene& scene, const AskOptions& options) {
   return reply;
 }
 
+/// The answer of one of the workspace commands.
+template <class Answer>
+Reply ReplyWith(const Scene& scene, const AskOptions& options, const Expected<Answer>& answer) {
+  if (!answer) return Refuse(answer.error());
+  Reply reply{.status = answer->status, .answer = Text(answer->json)};
+  if (options.svg) reply.svg = DrawAnswer(scene, *answer);
+  return reply;
+}
+
+Reply Boundary(const Scene& scene, const AskOptions& options) {
+  return ReplyWith(scene, options, AnswerBoundary(scene, options.boundary));
+}
+
+Reply Best(const Scene& scene, const AskOptions& options) {
+  return ReplyWith(scene, options, AnswerBest(scene, options.best));
+}
+
+Reply PoseIn(const Scene& scene, const AskOptions& options) {
+  return ReplyWith(scene, options, AnswerPose(scene, options.pose));
+}
+
+Reply MoveTo(const Scene& scene, const AskOptions& options) {
+  return ReplyWith(scene, options, AnswerMove(scene, options.move));
+}
+
+Reply TourOver(const Scene& scene, const AskOptions& options) {
+  return ReplyWith(scene, options, AnswerTour(scene, options.tour));
+}
+
 Reply Answer(const Question& question) {
   const auto options = ReadAskOptions(question.command, question.options);
   if (!options) return Refuse(options.error());
   const auto scene = ReadScene(question, options->scene);
   if (!scene) return Refuse(scene.error());
-  if (question.command == "plan") return Plan(*scene, *options);
-  if (question.command == "reach") return Reach(*scene, *options);
-  if (question.command == "classes") return Classes(*scene, *options);
-  return question.command == "taut" ? Taut(*scene, *options) : Show(*scene, *options);
+  using Answerer = Reply (*)(const Scene&, const AskOptions&);
+  const std::pair<const char*, Answerer> answerers[] = {{"plan", Plan},
+                                                        {"reach", Reach},
+                                                        {"classes", Classes},
+                                                        {"taut", Taut},
+                                                        {"show", Show},
+                                                        {"workspace boundary", Boundary},
+                                                        {"workspace best", Best},
+                                                        {"workspace pose", PoseIn},
+                                                        {"workspace move", MoveTo},
+                                                        {"workspace tour", TourOver}};
+  for (const auto& [name, answerer] : answerers) {
+    if (question.command == name) return answerer(*scene, *options);
+  }
+  return {.status = kExitFault, .error = "a command without an answer: " + question.command};
 }
 
 }  // namespace
