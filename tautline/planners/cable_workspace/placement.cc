@@ -1,0 +1,188 @@
+#include "tautline/planners/cable_workspace/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "tautline/base/check.h"
+#include "tautline/planners/cable_workspace/best.h"
+#include "tautline/scene/number_text.h"
+
+namespace tautline {
+namespace {
+
+/// By what share the default limit exceeds its length, so that the rounding of lengths does not exclude the boundary
+/// that runs along all of the outline.
+constexpr double kLimitSlack = 1e-9;
+
+std::optional<std::size_t> ComponentOfTasks(const FreeSpace& space, std::span<const Point> tasks) {
+  return tasks.empty() ? std::nullopt : ComponentOf(space, tasks[0], BoundaryTolerance(space));
+}
+
+/// What no cable can undercut: each anchor's cable reaches its neighbours.
+double LeastCable(const Placement& at, const WorkspaceBoundary& boundary) {
+  const std::size_t n = at.anchors.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = NextAnchor(i, n), before = i == 0 ? n - 1 : i - 1;
+    const double ahead = boundary.sides[i].path.length + at.anchors[next].stub_length;
+    const double behind = boundary.sides[before].path.length + at.anchors[before].stub_length;
+    sum += at.anchors[i].stub_length + std::max(ahead, behind);
+  }
+  return sum;
+}
+
+std::vector<double> LengthsOf(const std::vector<LongestCable>& cables) {
+  std::vector<double> lengths;
+  for (const LongestCable& cable : cables) lengths.push_back(cable.length);
+  return lengths;
+}
+
+double Sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+std::optional<Error> FaultOf(const PlacementOptions& options) {
+  if (options.anchors < 3) {
+    return Error{ErrorCode::kInvalidInput,
+                 std::to_string(options.anchors) + " anchors hold no area between their cables: give 3 or more",
+                 "anchors"};
+  }
+  if (options.objective == PlaceObjective::kCable && options.tasks.empty()) {
+    return Error{ErrorCode::kInvalidInput,
+                 "without tasks the least cable is none at all: give the scene `tasks`, or maximise the area", "tasks"};
+  }
+  if (options.max_boundary && !(*options.max_boundary > 0 && std::isfinite(*options.max_boundary))) {
+    return Error{ErrorCode::kInvalidInput, "the longest boundary must be a positive number of metres", "max_boundary"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double DefaultMaxBoundary(const OutlineWalk& outline, std::size_t anchors, double clearance) {
+  return (1 + kLimitSlack) * (outline.length() + 4 * clearance * static_cast<double>(anchors));
+}
+
+bool HoldsTask(const CableGround& ground, const WorkspaceBoundary& boundary, Point task) {
+  const Winding winding = WindingNumber(boundary.ring, task);
+  if (winding.number != 0 || winding.on_boundary) return true;
+  for (std::size_t i = 0; i < boundary.ring.size(); ++i) {
+    const Point from = boundary.ring[i], to = boundary.ring[(i + 1) % boundary.ring.size()];
+    if (DistanceToSegment(task, from, to) <= ground.space().tolerance()) return true;
+  }
+  return false;
+}
+
+Expected<PlacementGround> PlacementGround::Prepare(const World& world, const PlacementOptions& options,
+                                                   const Watcher& watch) {
+  if (const auto fault = FaultOf(options)) return tl::unexpected(*fault);
+  auto ground = CableGround::Prepare(world, watch);
+  if (!ground) return tl::unexpected(ground.error());
+  if (!options.futures.empty()) {
+    // What is wrong with the futures themselves shows without any anchors.
+    const auto futures = Futures::Prepare(world, {}, options.futures, watch);
+    if (!futures) return tl::unexpected(futures.error());
+  }
+  const FreeSpace& space = ground->ungrown_space();
+  const std::size_t component = ComponentOfTasks(space, options.tasks).value_or(0);
+  OutlineWalk outline(space.components[component].outer.points);
+  return PlacementGround(*std::move(ground), std::move(outline), world, options);
+}
+
+PlacementGround::PlacementGround(CableGround ground, OutlineWalk outline, const World& world, PlacementOptions options)
+    : ground_(std::move(ground)), outline_(std::move(outline)), world_(world), options_(std::move(options)) {
+  if (!options_.max_boundary) {
+    options_.max_boundary = DefaultMaxBoundary(outline_, options_.anchors, ground_.space().free_space().clearance);
+  }
+  lost_task_ = FindLostTask();
+}
+
+std::optional<std::size_t> PlacementGround::FindLostTask() const {
+  std::optional<Place> first;
+  for (std::size_t i = 0; i < options_.tasks.size(); ++i) {
+    const auto place = ground_.space().Locate(options_.tasks[i]);
+    if (!place || (first && !ground_.space().mesh().Connected(*first, *place))) return i;
+    if (!first) first = place;
+  }
+  return std::nullopt;
+}
+
+bool PlacementGround::IsBetter(const PlacementWorth& a, const PlacementWorth& b) const {
+  if (a.tasks_held != b.tasks_held) return a.tasks_held > b.tasks_held;
+  const bool least = options_.objective == PlaceObjective::kCable && HoldsAll(a);
+  return least ? a.value < b.value : a.value > b.value;
+}
+
+PlacementAnswer PlacementGround::Evaluate(std::vector<double> positions) const {
+  TAUTLINE_CHECK(positions.size() == options_.anchors);
+  for (double& position : positions) position = outline_.Wrapped(position);
+  std::sort(positions.begin(), positions.end());
+  std::vector<Point> points;
+  for (const double position : positions) points.push_back(outline_.At(position));
+  auto anchors = PlaceAnchors(ground_, points);
+  if (!anchors) return {};
+  std::optional<Futures> futures;
+  if (!options_.futures.empty()) {
+    auto prepared = Futures::Prepare(world_, points, options_.futures);
+    if (!prepared) return {};  // An obstacle comes to lie on an anchor.
+    futures = *std::move(prepared);
+  }
+  const Placement at{.positions = std::move(positions), .anchors = *std::move(anchors)};
+  BestOptions search{.max_boundary = max_boundary(), .tasks = options_.tasks, .budget = options_.budget};
+  BoundaryList list = FindBoundaries(ground_, at.anchors, search);
+  PlacementAnswer answer{.complete = list.complete};
+  answer.placement = Best(at, std::move(list.boundaries), futures);
+  if (answer.placement || options_.tasks.empty()) return answer;
+  search.tasks.clear();
+  list = FindBoundaries(ground_, at.anchors, search);
+  answer.complete = answer.complete && list.complete;
+  answer.placement = HoldingMost(at, std::move(list.boundaries));
+  return answer;
+}
+
+/// The best by the objective of boundaries that hold all tasks.
+std::optional<Placement> PlacementGround::Best(const Placement& at, std::vector<WorkspaceBoundary> boundaries,
+                                               const std::optional<Futures>& futures) const {
+  std::optional<Placement> best;
+  for (WorkspaceBoundary& boundary : boundaries) {
+    Placement candidate = at;
+    candidate.worth = {options_.tasks.size(), boundary.area};
+    const bool by_area = options_.objective == PlaceObjective::kArea;
+    if (by_area && !futures && best) break;  // The largest comes first.
+    if (!by_area && best && LeastCable(at, boundary) >= best->worth.value) continue;
+    if (futures) {
+      candidate.futures = futures->Carry(ground_, at.anchors, boundary);
+      candidate.longest_cables = candidate.futures->longest_cables;
+      candidate.worth.value = candidate.futures->expected_area;
+      // Nobody knows the cable lengths of a workspace that is no more.
+      if (!by_area && candidate.futures->lost_probability > 0) continue;
+    } else {
+      candidate.longest_cables = LengthsOf(LongestCables(ground_, at.anchors, boundary));
+    }
+    if (!by_area) candidate.worth.value = Sum(candidate.longest_cables);
+    if (best && !IsBetter(candidate.worth, best->worth)) continue;
+    candidate.boundary = std::move(boundary);
+    best = std::move(candidate);
+  }
+  return best;
+}
+
+/// The largest of the boundaries that hold the most tasks, though not all.
+std::optional<Placement> PlacementGround::HoldingMost(const Placement& at,
+                                                      std::vector<WorkspaceBoundary> boundaries) const {
+  std::optional<Placement> most;
+  for (WorkspaceBoundary& boundary : boundaries) {
+    const auto held = std::count_if(options_.tasks.begin(), options_.tasks.end(),
+                                    [&](Point task) { return HoldsTask(ground_, boundary, task); });
+    // All of them would be the affair of FindBoundaries; a search that its budget ended must not look complete.
+    const PlacementWorth worth{std::min(static_cast<std::size_t>(held), options_.tasks.size() - 1), boundary.area};
+    if (most && !IsBetter(worth, most->worth)) continue;
+    most = at;
+    most->worth = worth;
+    most->longest_cables = LengthsOf(LongestCables(ground_, at.anchors, boundary));
+    most->boundary = std::move(boundary);
+  }
+  return most;
+}
+
+}  // namespace tautline
