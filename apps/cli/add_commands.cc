@@ -12,7 +12,7 @@ std::vector<Run> AddCommands(CLI::App& app) {
   app.require_subcommand(1);
   app.footer("Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n`tautline COMMAND --help` tells more.");
   std::vector<Run> runs;
-  for (const auto add : {AddPlan, AddReach, AddClasses, AddTaut, AddShow}) runs.push_back(add(app));
+  for (const auto add : {AddPlan, AddReach, AddClasses, AddTaut, AddShow, AddWorkspace}) runs.push_back(add(app));
   return runs;
 }
 

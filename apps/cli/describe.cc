@@ -29,6 +29,8 @@ std::string Describe(const Word& word, const std::vector<std::string>& names) {
   return word.empty() ? "'' (the empty word)" : "'" + ToString(word, names) + "'";
 }
 
+std::string SquareMetres(double value) { return Metres(value) + "\u00b2"; }
+
 std::string Counted(std::size_t count, const std::string& singular, const std::string& plural) {
   return fmt::format("{} {}", count, count == 1 ? singular : plural);
 }

@@ -17,6 +17,9 @@ std::string Describe(std::span<const Point> points);
 /// "'a b^-1'", or "'' (the empty word)".
 std::string Describe(const Word& word, const std::vector<std::string>& names);
 
+/// "12.34 m²".
+std::string SquareMetres(double value);
+
 /// "1 class", "3 classes".
 std::string Counted(std::size_t count, const std::string& singular, const std::string& plural);
 

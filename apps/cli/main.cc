@@ -9,6 +9,7 @@
 
 #include "apps/answers/exit_status.h"
 #include "apps/cli/add_commands.h"
+#include "apps/cli/nested_commands.h"
 #include "apps/cli/output_file.h"
 
 namespace tautline::cli {
@@ -22,8 +23,15 @@ int Complain(const std::string& what, int status) {
 /// What is wrong with the call; an option that nobody knows comes before anything that is missing.
 std::string WhatIsWrong(const CLI::App& app, const CLI::ParseError& error) {
   std::string command = "tautline";
-  for (const CLI::App* sub : app.get_subcommands({})) {
-    if (sub->parsed()) command += " " + sub->get_name();
+  const CLI::App* at = &app;
+  for (bool deeper = true; deeper;) {
+    deeper = false;
+    for (const CLI::App* sub : at->get_subcommands([](const CLI::App* called) { return called->parsed(); })) {
+      command += " " + sub->get_name();
+      at = sub;
+      deeper = true;
+      break;
+    }
   }
   std::string what = error.what();
   for (const std::string& unknown : app.remaining(true)) {
@@ -32,22 +40,13 @@ std::string WhatIsWrong(const CLI::App& app, const CLI::ParseError& error) {
   return what + "; see `" + command + " --help`";
 }
 
-/// "plan, reach and show". Requires two commands or more.
-std::string NamesOf(const std::vector<CLI::App*>& commands) {
-  std::string names = commands[0]->get_name();
-  for (std::size_t i = 1; i + 1 < commands.size(); ++i) names += ", " + commands[i]->get_name();
-  return names + " and " + commands.back()->get_name();
-}
-
 int Main(int argc, char** argv) {
   HandleSignals();
   CLI::App app;
   const std::vector<Run> runs = AddCommands(app);
   const auto commands = app.get_subcommands({});
-  const auto is_called = [&](const CLI::App* command) { return command->check_name(argv[1]); };
-  if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_called)) {
-    return Complain("there is no command '" + std::string(argv[1]) + "'; there are " + NamesOf(commands),
-                    kExitBadInput);
+  if (const auto unknown = UnknownCommand(app, {argv + std::min(argc, 1), argv + argc})) {
+    return Complain(*unknown, kExitBadInput);
   }
   try {
     app.parse(argc, argv);

@@ -28,8 +28,6 @@ struct ReachCommand {
   std::string at;
 };
 
-std::string SquareMetres(double value) { return Metres(value) + "\u00b2"; }
-
 std::string DescribeBoundary(const ReachResult& result) {
   std::size_t pieces = 0, arcs = 0;
   for (const RegionRing& ring : result.regions) {

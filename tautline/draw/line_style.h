@@ -38,6 +38,12 @@ inline const LineStyle kTautLine = {.colour = "#0b4a8f", .width = 3};
 inline const LineStyle kReachLine = {.colour = "#0b4a8f", .width = 2.4};
 /// The boundary of what it reaches in one class.
 inline const LineStyle kSheetLine = {.colour = "#0b4a8f", .width = 0.7, .dashes = "4 2"};
+/// The boundary of a workspace.
+inline const LineStyle kWorkspaceLine = {.colour = "#00684c", .width = 2.6};
+/// A taut cable that moves the robot.
+inline const LineStyle kCableLine = {.colour = "#8f6400", .width = 2.2};
+/// A side that is at fault.
+inline const LineStyle kFaultLine = {.colour = "#b8400a", .width = 3.2, .dashes = "9 3"};
 /// Classes beyond those that are numbered.
 inline const LineStyle kOtherClassLine = {.colour = "#9a9a9a", .width = 0.9};
 /// The ray of an obstacle.

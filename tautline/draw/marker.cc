@@ -41,6 +41,17 @@ void DrawDiamond(SvgWriter& svg, Point at) {
   svg.Polygon({&diamond, 1}, {.stroke = kWarningColour, .width = 1.6});
 }
 
+void DrawDrum(SvgWriter& svg, Point at) {
+  svg.Circle(at, 7, {.fill = kInkColour, .stroke = kHaloColour, .width = 1.5});
+  svg.Circle(at, 4, {.stroke = kHaloColour, .width = 1.4});
+  svg.Circle(at, 1.4, {.fill = kHaloColour});
+}
+
+void DrawTask(SvgWriter& svg, Point at) {
+  svg.Rectangle({at - Point{4.5, 4.5}, at + Point{4.5, 4.5}}, {.fill = "#7b3fa0", .stroke = kHaloColour, .width = 1.5},
+                1);
+}
+
 }  // namespace
 
 void DrawMarker(SvgWriter& svg, Marker marker, Point at) {
@@ -60,6 +71,10 @@ void DrawMarker(SvgWriter& svg, Marker marker, Point at) {
       return DrawCross(svg, at);
     case Marker::kSnap:
       return DrawDiamond(svg, at);
+    case Marker::kWinch:
+      return DrawDrum(svg, at);
+    case Marker::kTask:
+      return DrawTask(svg, at);
   }
 }
 

@@ -17,6 +17,8 @@ enum class Marker {
   kBlocked,    ///< A forbidding sign: what cannot be there.
   kTetherEnd,  ///< A cross: where a tether ends.
   kSnap,       ///< A diamond: boundaries joined.
+  kWinch,      ///< A drum: an anchor of a cable.
+  kTask,       ///< A small square: a place to visit or to hold.
 };
 
 /// Draws a symbol of about 16 pixels at a point.

@@ -68,6 +68,8 @@ struct Tether {
 struct Cables {
   std::vector<Point> anchors;                 ///< Control points in order around the outline.
   std::optional<std::vector<Polyline>> laid;  ///< One polyline per anchor, robot first, anchor last.
+  /// Instead of laid cables: one word per anchor, that of the boundary from it to the next one, as ParseWord reads it.
+  std::optional<std::vector<std::string>> words;
 };
 
 /// A way that an obstacle may move on.

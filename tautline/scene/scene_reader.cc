@@ -96,12 +96,16 @@ class SceneReader {
 
   void ReadCables(const Document& value) {
     if (!reader_.IsMap(value, "cables")) return;
-    reader_.KnownKeys(value, "cables", {"anchors", "laid"});
+    reader_.KnownKeys(value, "cables", {"anchors", "laid", "words"});
     Cables cables;
     if (const Document* anchors = reader_.Required(value, "cables", "anchors")) {
       cables.anchors = reader_.ReadPoints(*anchors, "cables.anchors", 3);
     }
     if (const Document* laid = value.Find("laid")) cables.laid = ReadLaidCables(*laid, cables.anchors);
+    if (const Document* words = value.Find("words")) {
+      if (cables.laid) reader_.Fail(words->position, "cables has both laid and words: give one of them");
+      cables.words = ReadSideWords(*words, cables.anchors.size());
+    }
     scene_.cables = std::move(cables);
   }
 
@@ -122,6 +126,32 @@ class SceneReader {
       Join(cables[i].back(), anchors[i], item.position, Element(what, i) + " must end at its anchor,");
     }
     return cables;
+  }
+
+  /// One word per anchor, each a text "a b^-1" or a list of letters ["a", "b^-1"].
+  std::vector<std::string> ReadSideWords(const Document& value, std::size_t anchors) {
+    const std::string what = "cables.words";
+    std::vector<std::string> words;
+    if (!reader_.IsList(value, what)) return words;
+    if (value.items.size() != anchors) {
+      reader_.Fail(value.position, what + " has " + std::to_string(value.items.size()) + " words for " +
+                                       std::to_string(anchors) +
+                                       " anchors: it needs one per anchor, from it to the next");
+    }
+    for (std::size_t i = 0; i < value.items.size() && reader_.ok(); ++i) {
+      words.push_back(ReadWordText(value.items[i], Element(what, i)));
+    }
+    return words;
+  }
+
+  std::string ReadWordText(const Document& value, const std::string& what) {
+    if (value.is(Document::Kind::kString)) return value.text;
+    std::string text;
+    if (!reader_.IsList(value, what)) return text;
+    for (std::size_t i = 0; i < value.items.size() && reader_.ok(); ++i) {
+      text += (i > 0 ? " " : "") + reader_.ReadText(value.items[i], Element(what, i));
+    }
+    return text;
   }
 
   void ReadFutures(const Document& value) {

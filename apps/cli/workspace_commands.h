@@ -1,0 +1,14 @@
+// The commands below `tautline workspace`; each adds itself to that command.
+#ifndef APPS_CLI_WORKSPACE_COMMANDS_H_
+#define APPS_CLI_WORKSPACE_COMMANDS_H_
+
+#include "apps/cli/commands.h"
+
+namespace tautline::cli {
+
+Run AddWorkspaceBoundary(CLI::App& workspace);
+Run AddWorkspacePose(CLI::App& workspace);
+
+}  // namespace tautline::cli
+
+#endif  // APPS_CLI_WORKSPACE_COMMANDS_H_
