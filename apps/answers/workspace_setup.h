@@ -33,7 +33,10 @@ Json BoundaryJson(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary
 void AddFault(const WorkspaceSetup& setup, const BoundaryFault& fault, const JsonValues& values, Json& json);
 
 /// Every fault of the sides as taut curves, and of their product.
-std::vector<std::string> BoundaryFaults(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary);
+std::vector<std::string> BoundaryFaults(const CableGround& ground, const WorkspaceBoundary& boundary);
+inline std::vector<std::string> BoundaryFaults(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary) {
+  return BoundaryFaults(setup.ground, boundary);
+}
 
 }  // namespace tautline
 

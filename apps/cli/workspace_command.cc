@@ -10,7 +10,7 @@ Run AddWorkspace(CLI::App& app) {
   sub->footer(
       "Example:\n  tautline workspace boundary scenes/workspace.yaml --svg workspace.svg\n"
       "`tautline workspace COMMAND --help` tells more.");
-  return AddNested(*sub, {AddWorkspaceBoundary, AddWorkspacePose});
+  return AddNested(*sub, {AddWorkspaceBoundary, AddWorkspacePose, AddWorkspacePlace, AddWorkspaceMerge});
 }
 
 }  // namespace tautline::cli

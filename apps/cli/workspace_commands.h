@@ -8,6 +8,8 @@ namespace tautline::cli {
 
 Run AddWorkspaceBoundary(CLI::App& workspace);
 Run AddWorkspacePose(CLI::App& workspace);
+Run AddWorkspacePlace(CLI::App& workspace);
+Run AddWorkspaceMerge(CLI::App& workspace);
 
 }  // namespace tautline::cli
 
