@@ -131,4 +131,8 @@ bool CablesCross(const TautSpace& space, const Walk& a, const Walk& b) {
   return CrossInOneDirection(ground, {a, true}, {b, true}) || CrossInOneDirection(ground, {a, true}, {b, false});
 }
 
+bool EndsOnBoundary(const TautSpace& space, const Place& place) {
+  return EndSpot({space.mesh(), space.tolerance()}, place.triangle, place.point).has_value();
+}
+
 }  // namespace tautline

@@ -14,6 +14,9 @@ namespace tautline {
 /// O(shared) per shared run.
 bool CablesCross(const TautSpace& space, const Walk& a, const Walk& b);
 
+/// Whether a walk that ends in this place ends on the boundary, so that it can be said to cross others. O(1).
+bool EndsOnBoundary(const TautSpace& space, const Place& place);
+
 }  // namespace tautline
 
 #endif  // TAUTLINE_PLANNERS_CABLE_WORKSPACE_SIDE_CROSSING_H_

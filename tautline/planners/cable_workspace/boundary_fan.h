@@ -1,0 +1,98 @@
+// All closed ways around the anchors up to a length, found as fans of chords from the first anchor.
+#ifndef TAUTLINE_PLANNERS_CABLE_WORKSPACE_BOUNDARY_FAN_H_
+#define TAUTLINE_PLANNERS_CABLE_WORKSPACE_BOUNDARY_FAN_H_
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "tautline/base/stop.h"
+#include "tautline/planners/cable_workspace/anchor_curves.h"
+
+namespace tautline {
+
+/// What a search may still spend.
+class SearchBudget {
+ public:
+  /// `steps` in all; `keep_going` is asked now and then.
+  SearchBudget(std::int64_t steps, KeepGoing keep_going);
+
+  /// Counts a step. Throws Stopped at the end.
+  void Spend() {
+    if (left_-- <= 0) throw Stopped();
+    stop_.Step();
+  }
+  /// Steps that are left.
+  std::int64_t left() const { return left_; }
+
+ private:
+  std::int64_t left_;
+  StopCheck stop_;
+};
+
+/// What bounds the fans.
+struct FanOptions {
+  std::vector<double> shortest;    ///< By side: no curve is shorter, metres.
+  double limit = 0;                ///< Of all sides together, metres.
+  bool chords_can_cross = false;   ///< Fans in which a chord crosses a side or a chord are left out.
+  SearchBudget* budget = nullptr;  ///< Spends a step for each triangle looked at.
+};
+
+/// The chord from anchor 0 to anchor k is the class of the sides before k, and, read backwards, of those after it. So a
+/// closed boundary is a path through a graph: its nodes are chords, in layers by k, and its edges are sides. The graph
+/// is grown from both ends, layer by layer, where the next layer is cheaper; a chord is left out when the sides up to
+/// it and the longer of itself and of the shortest sides that are missing exceed the limit. What both ends reach in the
+/// layer where they meet gives every chord the exact length of its best rest: only what can be closed is then walked.
+class BoundaryFan {
+ public:
+  /// `sides`: the classes of each side, shortest first, none of which crosses itself.
+  BoundaryFan(const CableGround& ground, AnchorCurves& curves, const std::vector<std::vector<CurveId>>& sides,
+              const FanOptions& options);
+
+  /// Calls visit(curves by side) for every closed boundary up to the limit whose sides do not cross. Throws Stopped
+  /// when the budget is spent.
+  void ForEach(const std::function<void(std::span<const CurveId>)>& visit);
+
+ private:
+  /// A triangle of the fan: from a chord along a side to the chord of the next layer.
+  struct Step {
+    CurveId side;
+    std::int32_t to;
+    double length;  ///< Of the side and of the best rest from there.
+  };
+  struct Node {
+    CurveId chord;
+    double before;            ///< The least length of sides from the first anchor to here, metres.
+    double after;             ///< And from here back to it.
+    std::vector<Step> steps;  ///< To the next layer.
+  };
+  /// Chords to one anchor.
+  struct Layer {
+    std::vector<Node> nodes;
+    std::unordered_map<std::int32_t, std::int32_t> node_of;  ///< By chord.
+  };
+
+  void GrowForwards(std::size_t k);
+  void GrowBackwards(std::size_t k);
+  std::int32_t NodeOf(Layer& layer, CurveId chord);
+  bool IsTriangle(CurveId chord, CurveId side, CurveId next);
+  void SortSteps(std::size_t k);
+  void Descend(std::size_t k, const Node& node, double used);
+  bool Push(CurveId curve);
+
+  const CableGround& ground_;
+  AnchorCurves& curves_;
+  const std::vector<std::vector<CurveId>>& sides_;
+  FanOptions options_;
+  std::vector<double> rest_;   ///< By anchor: the shortest sides from it on, metres.
+  std::vector<Layer> layers_;  ///< By anchor; the first one is empty.
+  std::vector<CurveId> drawn_;
+  std::vector<CurveId> chosen_;
+  const std::function<void(std::span<const CurveId>)>* visit_ = nullptr;
+};
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_PLANNERS_CABLE_WORKSPACE_BOUNDARY_FAN_H_
