@@ -29,6 +29,8 @@ COMMANDS = {
     "reach": ["--sheets", "--budget", "2000", "--verify"],
     "classes": ["--count", "8", "--verify"],
     "taut": ["--verify"],
+    "workspace boundary": ["--verify"],
+    "workspace pose": ["--verify"],
 }
 
 
@@ -112,7 +114,7 @@ class Question:
 
     def ask_program(self, program):
         """The reply of the program, in the module's form."""
-        process = subprocess.run([program, self.command[0], self.path, *self.command[1:], "--json"],
+        process = subprocess.run([program, *self.command[0].split(), self.path, *self.command[1:], "--json"],
                                  capture_output=True, text=True, timeout=TIMEOUT_S)
         error = process.stderr.strip().removeprefix("tautline: ").replace(str(self.path), "scene")
         return {"status": process.returncode, "answer": process.stdout, "error": error}
@@ -144,7 +146,9 @@ def member_questions(folder):
         path.write_text(json.dumps(scene))
         content = json.loads((ROOT / name).read_text())
         commands = [[command, *options] for command, options in COMMANDS.items()]
-        commands += [content["command"]] if "command" in content else []
+        if "command" in content:
+            words = 2 if content["command"][0] in ("workspace", "fleet") else 1
+            commands.append([" ".join(content["command"][:words]), *content["command"][words:]])
         for want in content.get("expected", []):
             goal = "{},{}".format(*want["goal"])
             commands.append(["classes", "--to", goal, "--max-length", str(scene["tether"]["length"])])

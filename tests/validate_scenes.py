@@ -68,6 +68,12 @@ BROKEN = {
     "circle beyond 1e7 metres": (obstacle(circle=[9e6, 0, 2e6]), False),
     "goal without a world": ({"goal": [1, 2], "fleet": {"robots": []}}, True),
     "two anchors": ({**world(), "cables": {"anchors": [[0, 0], [20, 0]]}}, True),
+    "laid cables and words": ({**world(), "cables": {
+        "anchors": [[0, 0], [20, 0], [20, 10]], "words": ["", "", ""],
+        "laid": [[[9, 5], [0, 0]], [[9, 5], [20, 0]], [[9, 5], [20, 10]]]}}, True),
+    "two words for three anchors": (
+        {**world(), "cables": {"anchors": [[0, 0], [20, 0], [20, 10]], "words": ["", ""]}}, False),
+    "a number for a word": ({**world(), "cables": {"anchors": [[0, 0], [20, 0], [20, 10]], "words": ["", 1, ""]}}, True),
     "probabilities sum to 0.5": ({**world(), "futures": [{"probability": 0.5, "moves": []}]}, False),
     "no such obstacle": (
         {**world(), "futures": [{"probability": 1, "moves": [{"obstacle": "a", "path": SQUARE}]}]}, False),

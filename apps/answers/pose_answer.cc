@@ -11,7 +11,7 @@ namespace tautline {
 namespace {
 
 std::string ToString(const Pose& pose) {
-  if (pose.position == Position::kInside) return "interior";
+  if (pose.position == Containment::kInside) return "interior";
   return pose.touches_obstacle ? "boundary_touching" : "boundary_open";
 }
 
@@ -42,7 +42,7 @@ std::vector<std::string> Faults(const PoseAnswer& answer) {
 void Look(const PoseQuestion& question, const JsonValues& values, PoseAnswer& answer) {
   const WorkspaceRegion region(answer.setup.ground, answer.setup.anchors, *answer.boundary);
   answer.pose = LookAtPose(region, answer.at);
-  if (answer.pose->position == Position::kOutside) {
+  if (answer.pose->position == Containment::kOutside) {
     answer.explanation = ExplainOutside(*answer.boundary, "the pose", answer.at);
     answer.json["status"] = "infeasible";
     answer.json["reason"] = ToString(WorkspaceObstruction::kPoseOutside);

@@ -23,7 +23,7 @@ struct PoseCommand {
 std::string ToText(const PoseAnswer& answer) {
   if (answer.status != kExitSolved) return fmt::format("No pose: {}.\n", answer.explanation);
   const Pose& pose = *answer.pose;
-  const char* where = pose.position == Position::kInside ? "inside the workspace"
+  const char* where = pose.position == Containment::kInside ? "inside the workspace"
                       : pose.touches_obstacle            ? "on its boundary, touching blocked ground"
                                                          : "on its boundary, in the open";
   std::string text = fmt::format("The pose {} is {}.\n", ToText(answer.at), where);

@@ -12,6 +12,7 @@
 #include "tautline/draw/draw_reach.h"
 #include "tautline/draw/draw_show.h"
 #include "tautline/draw/draw_taut.h"
+#include "tautline/draw/draw_workspace.h"
 #include "tautline/scene/json_document.h"
 #include "tautline/scene/map_reader.h"
 #include "tautline/scene/scene_reader.h"
@@ -105,15 +106,50 @@ Reply Show(const Scene& scene, const AskOptions& options) {
   return reply;
 }
 
+Reply Boundary(const Scene& scene, const AskOptions& options) {
+  const auto answer = AnswerBoundary(scene, options.boundary);
+  if (!answer) return Refuse(answer.error());
+  Reply reply{.status = answer->status, .answer = Text(answer->json)};
+  if (options.svg) {
+    reply.svg =
+        DrawWorkspace(scene, answer->setup.ground.space().free_space(),
+                      {.anchors = answer->setup.anchors, .boundary = answer->boundary, .longest = answer->longest});
+  }
+  return reply;
+}
+
+Reply PoseIn(const Scene& scene, const AskOptions& options) {
+  const auto answer = AnswerPose(scene, options.pose);
+  if (!answer) return Refuse(answer.error());
+  Reply reply{.status = answer->status, .answer = Text(answer->json)};
+  if (!options.svg) return reply;
+  const FreeSpace& space = answer->setup.ground.space().free_space();
+  const Anchors& anchors = answer->setup.anchors;
+  reply.svg =
+      answer->pose
+          ? DrawPose(scene, space,
+                     {.anchors = anchors, .boundary = answer->boundary, .at = answer->at, .pose = *answer->pose})
+          : DrawWorkspace(scene, space, {.anchors = anchors, .boundary = answer->boundary, .longest = {}});
+  return reply;
+}
+
 Reply Answer(const Question& question) {
   const auto options = ReadAskOptions(question.command, question.options);
   if (!options) return Refuse(options.error());
   const auto scene = ReadScene(question, options->scene);
   if (!scene) return Refuse(scene.error());
-  if (question.command == "plan") return Plan(*scene, *options);
-  if (question.command == "reach") return Reach(*scene, *options);
-  if (question.command == "classes") return Classes(*scene, *options);
-  return question.command == "taut" ? Taut(*scene, *options) : Show(*scene, *options);
+  using Answerer = Reply (*)(const Scene&, const AskOptions&);
+  const std::pair<const char*, Answerer> answerers[] = {{"plan", Plan},
+                                                        {"reach", Reach},
+                                                        {"classes", Classes},
+                                                        {"taut", Taut},
+                                                        {"show", Show},
+                                                        {"workspace boundary", Boundary},
+                                                        {"workspace pose", PoseIn}};
+  for (const auto& [name, answerer] : answerers) {
+    if (question.command == name) return answerer(*scene, *options);
+  }
+  return {.status = kExitFault, .error = "a command without an answer: " + question.command};
 }
 
 }  // namespace

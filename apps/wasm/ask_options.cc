@@ -1,7 +1,10 @@
 #include "apps/wasm/ask_options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
+#include <vector>
 
 #include "tautline/scene/document.h"
 #include "tautline/scene/field_reader.h"
@@ -98,25 +101,47 @@ void ReadReach(OptionsReader& options, ReachQuestion& question) {
   options.AtLeastOne("budget", question.options.budget);
 }
 
-void RefuseUnknownKeys(const std::string& command, const Document& document, FieldReader& reader) {
-  const std::string what = "the options of " + command;
-  if (command == "plan") {
-    reader.KnownKeys(document, what, {"svg", "verify", "unknown", "simplify", "all", "count", "budget"});
-  } else if (command == "reach") {
-    reader.KnownKeys(document, what, {"svg", "verify", "unknown", "simplify", "sheets", "at", "budget"});
-  } else if (command == "classes") {
-    reader.KnownKeys(document, what,
-                     {"svg", "verify", "unknown", "simplify", "from", "to", "max_length", "count", "word", "budget"});
-  } else {
-    reader.KnownKeys(document, what, {"svg", "verify", "unknown", "simplify"});
-  }
+void ReadPose(OptionsReader& options, PoseQuestion& question) {
+  options.Flag("verify", question.verify);
+  options.APoint("at", question.at);
+}
+
+/// A command with the options that it knows besides those of all, and how they are read.
+struct CommandOptions {
+  const char* name;
+  std::vector<std::string_view> keys;
+  void (*read)(OptionsReader& options, AskOptions& asked);
+};
+
+std::vector<CommandOptions> AllCommands() {
+  return {
+      {"plan", {"all", "count", "budget"}, [](OptionsReader& o, AskOptions& asked) { ReadPlan(o, asked.plan); }},
+      {"reach", {"sheets", "at", "budget"}, [](OptionsReader& o, AskOptions& asked) { ReadReach(o, asked.reach); }},
+      {"classes",
+       {"from", "to", "max_length", "count", "word", "budget"},
+       [](OptionsReader& o, AskOptions& asked) { ReadClasses(o, asked.classes); }},
+      {"taut", {}, [](OptionsReader& o, AskOptions& asked) { o.Flag("verify", asked.taut.verify); }},
+      {"show", {}, [](OptionsReader&, AskOptions&) {}},
+      {"workspace boundary", {}, [](OptionsReader& o, AskOptions& asked) { o.Flag("verify", asked.boundary.verify); }},
+      {"workspace pose", {"at"}, [](OptionsReader& o, AskOptions& asked) { ReadPose(o, asked.pose); }},
+  };
+}
+
+/// "plan, reach and show".
+std::string NamesOf(const std::vector<CommandOptions>& commands) {
+  std::string names = commands[0].name;
+  for (std::size_t i = 1; i + 1 < commands.size(); ++i) names += std::string(", ") + commands[i].name;
+  return names + " and " + commands.back().name;
 }
 
 }  // namespace
 
-Expected<AskOptions> ReadAskOptions(const std::string& command, const std::string& text) {
-  if (command != "plan" && command != "reach" && command != "classes" && command != "taut" && command != "show") {
-    return InvalidInput("there is no command " + Quoted(command) + "; there are plan, reach, classes, taut and show");
+Expected<AskOptions> ReadAskOptions(const std::string& name, const std::string& text) {
+  const std::vector<CommandOptions> commands = AllCommands();
+  const auto command =
+      std::find_if(commands.begin(), commands.end(), [&name](const CommandOptions& c) { return name == c.name; });
+  if (command == commands.end()) {
+    return InvalidInput("there is no command " + Quoted(name) + "; there are " + NamesOf(commands));
   }
   AskOptions asked;
   if (text.empty()) return asked;
@@ -125,14 +150,13 @@ Expected<AskOptions> ReadAskOptions(const std::string& command, const std::strin
   OptionsReader options(*document);
   FieldReader& reader = options.reader();
   if (reader.IsMap(*document, "options")) {
-    RefuseUnknownKeys(command, *document, reader);
+    std::vector<std::string_view> keys = {"svg", "verify", "unknown", "simplify"};
+    keys.insert(keys.end(), command->keys.begin(), command->keys.end());
+    reader.KnownKeys(*document, "the options of " + name, keys);
     options.Flag("svg", asked.svg);
     options.Unknown(asked.scene.unknown_free);
     options.NonNegative("simplify", asked.scene.simplify);
-    if (command == "plan") ReadPlan(options, asked.plan);
-    if (command == "reach") ReadReach(options, asked.reach);
-    if (command == "classes") ReadClasses(options, asked.classes);
-    if (command == "taut") options.Flag("verify", asked.taut.verify);
+    command->read(options, asked);
   }
   if (!reader.ok()) return tl::unexpected(reader.error());
   return asked;

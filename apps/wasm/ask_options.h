@@ -4,8 +4,10 @@
 
 #include <string>
 
+#include "apps/answers/boundary_answer.h"
 #include "apps/answers/classes_answer.h"
 #include "apps/answers/plan_answer.h"
+#include "apps/answers/pose_answer.h"
 #include "apps/answers/reach_answer.h"
 #include "apps/answers/taut_answer.h"
 #include "tautline/base/error.h"
@@ -20,12 +22,14 @@ struct AskOptions {
   ReachQuestion reach;
   ClassesQuestion classes;
   TautQuestion taut;
+  BoundaryQuestion boundary;
+  PoseQuestion pose;
 };
 
 /// Reads a JSON object such as `{"count": 5, "svg": true}`; no text stands for no options. All commands know `svg`,
 /// `verify`, `unknown` and `simplify`; plan knows `all`, `count` and `budget`; reach knows `sheets`, `at`
 /// and `budget`; classes knows `from`, `to`,
-/// `max_length`, `count`, `word` and `budget`. Only the members of `command` are filled in. Errors: kInvalidInput for a
+/// `max_length`, `count`, `word` and `budget`; workspace pose knows `at`. Only the members of `command` are filled in. Errors: kInvalidInput for a
 /// command that there is not, and for what is not JSON, unknown or out of range.
 [[nodiscard]] Expected<AskOptions> ReadAskOptions(const std::string& command, const std::string& text);
 

@@ -21,6 +21,8 @@ draw reach.svg reach scenes/store_room.yaml --sheets
 draw reach_plane.svg reach scenes/two_ways.yaml
 draw taut.svg taut scenes/tanks.yaml
 draw show.svg show scenes/free_ground.yaml
+draw workspace.svg workspace boundary scenes/workspace.yaml
+draw workspace_pose.svg workspace pose scenes/workspace.yaml --at 90,90
 draw engine_taut.svg taut scenes/store_room.yaml
 draw engine_classes.svg classes scenes/store_room.yaml
 draw engine_choice.svg plan scenes/store_room.yaml --all

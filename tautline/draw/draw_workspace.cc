@@ -105,7 +105,7 @@ std::string DrawPose(const Scene& scene, const FreeSpace& space, const PosePictu
                                    {Marker::kWinch, "winch of a cable"}},
                         .shown = WorkspacePoints(scene)};
   content.shown.push_back(picture.at);
-  if (pose.position == Position::kOutside) {
+  if (pose.position == Containment::kOutside) {
     content.title = "The robot cannot be there: that is outside of the workspace";
   } else {
     const std::string gap = CompactText(pose.largest_gap * 180 / 3.14159265358979323846, 1) + "°";
@@ -121,7 +121,7 @@ std::string DrawPose(const Scene& scene, const FreeSpace& space, const PosePictu
   Figure figure(scene, space, content);
   DrawWorkspaceArea(figure, picture.boundary->ring);
   for (const PoseCable& cable : pose.cables) figure.Line("cable", cable.path.points, kCableLine);
-  figure.Mark(pose.position == Position::kOutside ? Marker::kBlocked : Marker::kRobot, picture.at, "pose");
+  figure.Mark(pose.position == Containment::kOutside ? Marker::kBlocked : Marker::kRobot, picture.at, "pose");
   MarkAnchors(figure, BasesOf(picture.anchors));
   return figure.Finish();
 }

@@ -27,7 +27,7 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-std::string Listed(std::initializer_list<std::string_view> names) {
+std::string Listed(const std::vector<std::string_view>& names) {
   std::string text;
   for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
   return text;
@@ -81,10 +81,10 @@ bool FieldReader::IsList(const Document& value, std::string_view what) {
   return false;
 }
 
-void FieldReader::KnownKeys(const Document& map, std::string_view what, std::initializer_list<std::string_view> known) {
+void FieldReader::KnownKeys(const Document& map, std::string_view what, const std::vector<std::string_view>& known) {
   for (const DocumentKey& key : map.keys) {
     if (std::find(known.begin(), known.end(), key.name) != known.end()) continue;
-    const std::string_view nearest = NearestName(key.name, {known.begin(), known.size()});
+    const std::string_view nearest = NearestName(key.name, known);
     const std::string hint =
         nearest.empty() ? "known are " + Listed(known) : "did you mean '" + std::string(nearest) + "'?";
     return Fail(key.position, "unknown key " + Quoted(key.name) + " in " + std::string(what) + ": " + hint);

@@ -3,12 +3,12 @@
 #define TAUTLINE_SCENE_FIELD_READER_H_
 
 #include <cstddef>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "tautline/base/error.h"
 #include "tautline/geometry/polygon.h"
@@ -52,7 +52,7 @@ class FieldReader {
   bool IsList(const Document& value, std::string_view what);
 
   /// Refuses keys that are not known, with the nearest known one as a hint. O(keys * known).
-  void KnownKeys(const Document& map, std::string_view what, std::initializer_list<std::string_view> known);
+  void KnownKeys(const Document& map, std::string_view what, const std::vector<std::string_view>& known);
 
   /// The value of a key that must be there; null after an error.
   const Document* Required(const Document& map, std::string_view what, std::string_view key);

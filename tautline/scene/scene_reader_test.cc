@@ -230,6 +230,17 @@ TEST(ReadScene, TheLaidCableStartsAtTheBase) {
   EXPECT_EQ(scene.tether->laid->front(), (Point{1, 1}));
 }
 
+TEST(ReadScene, CablesHaveWordsInstead) {
+  const std::string anchors = R"("cables": {"anchors": [[0,0],[20,0],[20,10]], "words": )";
+  const Scene scene = Good(InRoom(anchors + R"(["", "a b^-1", ["a", "b"]]})"));
+  EXPECT_EQ(*scene.cables->words, (std::vector<std::string>{"", "a b^-1", "a b"}));
+  EXPECT_NE(ErrorOf(InRoom(anchors + R"([""]})")).find("1 words for 3 anchors"), std::string::npos);
+  EXPECT_NE(ErrorOf(InRoom(anchors + R"(["", 1, ""]})")).find("cables.words[2] must be a list"), std::string::npos);
+  EXPECT_NE(ErrorOf(InRoom(anchors + R"(["", "", ""], "laid": [[[9,5],[0,0]],[[9,5],[20,0]],[[9,5],[20,10]]]})"))
+                .find("both laid and words"),
+            std::string::npos);
+}
+
 TEST(ReadScene, CablesRunFromTheRobotToTheirAnchors) {
   const std::string anchors = R"("cables": {"anchors": [[0,0],[20,0],[20,10]], "laid": )";
   EXPECT_NE(ErrorOf(InRoom(anchors + "[[[9,5],[0,0]]]}")).find("1 cables for 3 anchors"), std::string::npos);

@@ -41,7 +41,7 @@ Pose LookAtPose(const WorkspaceRegion& region, Point at) {
   Pose pose{.position = region.Classify(at)};
   const auto ways = region.WaysTo(at);
   if (ways.empty()) {
-    pose.position = Position::kOutside;
+    pose.position = Containment::kOutside;
     return pose;
   }
   const Point robot = ways[0].at;
@@ -58,7 +58,8 @@ Pose LookAtPose(const WorkspaceRegion& region, Point at) {
     pose.cables.push_back(std::move(cable));
   }
   FindGap(std::move(pulls), robot, pose);
-  pose.margin = std::cos(pose.largest_gap / 2);
+  const double margin = std::cos(pose.largest_gap / 2);
+  pose.margin = pose.spans ? std::max(margin, 0.0) : std::min(margin, 0.0);
   const double tolerance = region.ground().space().tolerance();
   region.ground().space().mesh().ForEachBoundaryNear(
       Box{{robot.x - tolerance, robot.y - tolerance}, {robot.x + tolerance, robot.y + tolerance}},

@@ -30,14 +30,14 @@ WorkspaceRegion::WorkspaceRegion(const CableGround& ground, const Anchors& ancho
   }
 }
 
-Position WorkspaceRegion::Classify(Point p) const {
+Containment WorkspaceRegion::Classify(Point p) const {
   bool on_boundary = false;
   ForEachPiece(boundary_, [&](std::size_t, std::size_t, Point a, Point b) {
     on_boundary = on_boundary || DistanceToSegment(p, a, b) <= ground_.space().tolerance();
   });
-  if (on_boundary) return Position::kBoundary;
+  if (on_boundary) return Containment::kBoundary;
   const Winding winding = WindingNumber(boundary_.ring, p);
-  return winding.number != 0 && !winding.on_boundary ? Position::kInside : Position::kOutside;
+  return winding.number != 0 && !winding.on_boundary ? Containment::kInside : Containment::kOutside;
 }
 
 std::optional<Walk> WorkspaceRegion::WayAlong(std::size_t side, std::size_t segment, Point on_boundary, Point p) const {
@@ -52,12 +52,12 @@ std::optional<Walk> WorkspaceRegion::WayAlong(std::size_t side, std::size_t segm
 }
 
 std::vector<Walk> WorkspaceRegion::WaysTo(Point p) const {
-  const Position position = Classify(p);
+  const Containment position = Classify(p);
   const auto place = ground_.space().Locate(p);
-  if (position == Position::kOutside || !place) return {};
+  if (position == Containment::kOutside || !place) return {};
   // A point on the boundary is reached along every piece that it lies on, one inside from the nearest piece.
   double reach = ground_.space().tolerance();
-  if (position == Position::kInside) {
+  if (position == Containment::kInside) {
     reach = std::numeric_limits<double>::infinity();
     ForEachPiece(boundary_, [&](std::size_t, std::size_t, Point a, Point b) {
       reach = std::min(reach, DistanceToSegment(place->point, a, b));
@@ -66,7 +66,7 @@ std::vector<Walk> WorkspaceRegion::WaysTo(Point p) const {
   std::vector<Walk> ways;
   ForEachPiece(boundary_, [&](std::size_t side, std::size_t segment, Point a, Point b) {
     if (DistanceToSegment(p, a, b) > reach && DistanceToSegment(place->point, a, b) > reach) return;
-    if (position == Position::kInside && !ways.empty()) return;
+    if (position == Containment::kInside && !ways.empty()) return;
     auto way = WayAlong(side, segment, NearestOnSegment(place->point, a, b), place->point);
     if (!way || !TurnInto(ground_.space().mesh(), place->triangle, *way)) return;
     const auto same = [&way](const Walk& other) { return other.sleeve == way->sleeve; };

@@ -11,7 +11,7 @@
 namespace tautline {
 
 /// Where a point lies with respect to a workspace.
-enum class Position { kOutside, kBoundary, kInside };
+enum class Containment { kOutside, kBoundary, kInside };
 
 /// A valid boundary with what is inside, which holds no obstacle. Immutable; keeps all that it is made of by reference.
 class WorkspaceRegion {
@@ -20,7 +20,7 @@ class WorkspaceRegion {
   WorkspaceRegion(const CableGround& ground, const Anchors& anchors, const WorkspaceBoundary& boundary);
 
   /// Points within the tolerance of the space from the boundary are on it. O(n) for n corners of the boundary.
-  Position Classify(Point p) const;
+  Containment Classify(Point p) const;
 
   /// The ways from the first anchor's exit to p that stay in the workspace, up to deformation: none when p is outside
   /// (or on a stub, where no robot can be), one as a rule, and one from each side where the boundary touches itself.
