@@ -1,8 +1,10 @@
 #include "tautline/planners/cable_workspace/best.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "tautline/base/check.h"
@@ -13,6 +15,10 @@
 
 namespace tautline {
 namespace {
+
+/// The shares of the slack up to which boundaries are found, round by round. The work grows exponentially with the
+/// slack, so that the last round is most of it.
+constexpr double kRounds[] = {0.5, 0.75, 1};
 
 /// The shortest way from each anchor to the next one, metres; nothing when two are not connected.
 std::optional<std::vector<double>> ShortestSides(const CableGround& ground, const Anchors& anchors) {
@@ -45,7 +51,7 @@ template <class It, class Number, class Tie>
 void SortByNumber(It first, It last, Number number, Tie tie) {
   std::stable_sort(first, last, [&](const auto& a, const auto& b) { return number(a) < number(b); });
   while (first != last) {
-    const double most = number(*first) + kLengthTolerance * std::abs(number(*first));
+    const double most = number(*first) + kLengthTolerance * std::fabs(number(*first));
     const auto end = std::find_if(first, last, [&](const auto& one) { return number(one) > most; });
     tie(first, end);
     first = end;
@@ -75,19 +81,27 @@ void SortBoundaries(std::vector<WorkspaceBoundary>& boundaries) {
 class BoundarySearch {
  public:
   BoundarySearch(const CableGround& ground, const Anchors& anchors, const BestOptions& options)
-      : ground_(ground), anchors_(anchors), options_(options), curves_(ground) {}
+      : ground_(ground),
+        anchors_(anchors),
+        options_(options),
+        curves_(ground),
+        budget_(options.budget, options.keep_going) {}
 
   BoundaryList Run() {
     BoundaryList list;
     const auto shortest = ShortestSides(ground_, anchors_);
-    if (!shortest) return {{}, true, WorkspaceObstruction::kAnchorsUnconnected};
-    SearchBudget budget(options_.budget, options_.keep_going);
+    if (!shortest) return {{}, true, options_.max_boundary, WorkspaceObstruction::kAnchorsUnconnected};
+    const double least = std::accumulate(shortest->begin(), shortest->end(), StubLength());
+    const double most = options_.max_boundary * (1 + kLengthTolerance);
     try {
-      if (ListSides(*shortest, budget)) {
-        BoundaryFan fan(ground_, curves_, sides_, {*shortest, limit_, ChordsCanCross(), &budget});
-        fan.ForEach([&](std::span<const CurveId> sides) { Close(sides, list); });
+      for (const double share : kRounds) {
+        if (least > most) break;
+        const double limit = least + share * (most - least);
+        FindUpTo(limit - StubLength(), *shortest, list);
+        list.complete_length = std::min(limit, options_.max_boundary);
       }
-      list.complete = !incomplete_;
+      list.complete = true;
+      list.complete_length = options_.max_boundary;
     } catch (const Stopped&) {
     }
     SortBoundaries(list.boundaries);
@@ -96,6 +110,23 @@ class BoundarySearch {
   }
 
  private:
+  /// Each anchor's stub is part of two sides.
+  double StubLength() const {
+    return std::accumulate(anchors_.begin(), anchors_.end(), 0.0,
+                           [](double sum, const Socket& anchor) { return sum + 2 * anchor.stub_length; });
+  }
+
+  void FindUpTo(double limit, const std::vector<double>& shortest, BoundaryList& list) {
+    const double slack = limit - std::accumulate(shortest.begin(), shortest.end(), 0.0);
+    std::vector<std::vector<CurveId>> sides;
+    for (std::size_t i = 0; i < anchors_.size(); ++i) {
+      // The way back along all other sides is at least as long as the side.
+      sides.push_back(ListSide(i, std::min(shortest[i] + slack / 2, limit / 2)));
+    }
+    BoundaryFan fan(anchors_, curves_, sides, {shortest, limit, ChordsCanCross(), &budget_});
+    fan.ForEach([&](std::span<const CurveId> found) { Close(found, list); });
+  }
+
   /// Chords between corners of a valid boundary cross neither it nor each other; but what ends in the open crosses
   /// nothing, so that sides there might cross a chord.
   bool ChordsCanCross() const {
@@ -103,45 +134,38 @@ class BoundarySearch {
                        [&](const Socket& anchor) { return EndsOnBoundary(ground_.space(), anchor.exit); });
   }
 
-  /// All classes of all sides that may be part of a boundary. False when there is none for some side.
-  bool ListSides(const std::vector<double>& shortest, SearchBudget& budget) {
-    const double all = std::accumulate(shortest.begin(), shortest.end(), 0.0);
-    limit_ = options_.max_boundary;
-    for (const Socket& anchor : anchors_) limit_ -= 2 * anchor.stub_length;
-    limit_ += kLengthTolerance * options_.max_boundary;
-    for (std::size_t i = 0; i < anchors_.size(); ++i) {
-      // The way back along all other sides is at least as long as the side.
-      const double longest = std::min(limit_ - (all - shortest[i]), limit_ / 2);
-      if (longest < 0) return false;
-      if (!ListSide(i, longest, budget)) return false;
-    }
-    return true;
-  }
-
-  bool ListSide(std::size_t i, double longest, SearchBudget& budget) {
+  /// The classes of a side, shortest first, but those that cross themselves.
+  std::vector<CurveId> ListSide(std::size_t i, double longest) {
     const Socket &from = anchors_[i], &to = anchors_[NextAnchor(i, anchors_.size())];
     Walk start(from.exit);
     start.rooted = true;
     const ClassList list = FindClassesOnward(
         ground_.space(), start, to.exit,
-        {.max_length = longest, .max_count = {}, .budget = budget.left(), .keep_going = options_.keep_going});
-    if (!list.complete) incomplete_ = true;
+        {.max_length = longest, .max_count = {}, .budget = budget_.left(), .keep_going = options_.keep_going});
+    if (!list.complete) throw Stopped();
     std::vector<CurveId> side;
     for (const TautPath& path : list.classes) {
-      budget.Spend();
+      budget_.Spend();
       const CurveId curve = curves_.Add(WalkBetween(ground_, from, to, path));
       if (!curves_.CrossesItself(curve)) side.push_back(curve);
     }
     std::stable_sort(side.begin(), side.end(),
                      [&](CurveId a, CurveId b) { return curves_.length(a) < curves_.length(b); });
-    sides_.push_back(std::move(side));
-    return !sides_.back().empty();
+    return side;
   }
 
+  /// Takes a boundary that was not found in an earlier round.
   void Close(std::span<const CurveId> sides, BoundaryList& list) {
+    if (!found_.insert(std::vector<CurveId>(sides.begin(), sides.end())).second) return;
     std::vector<Walk> walks;
-    for (const CurveId side : sides) walks.push_back(curves_.walk(side));
-    auto boundary = CloseBoundary(ground_, anchors_, std::move(walks));
+    std::vector<TautPath> paths;
+    for (const CurveId side : sides) {
+      walks.push_back(curves_.walk(side));
+      auto known = paths_.find(side);
+      if (known == paths_.end()) known = paths_.emplace(side, ground_.space().Pull(walks.back())).first;
+      paths.push_back(known->second);
+    }
+    auto boundary = CloseBoundary(ground_, anchors_, std::move(walks), std::move(paths));
     if (!boundary) {
       TAUTLINE_CHECK(boundary.error().obstruction == WorkspaceObstruction::kNoArea);
       return;
@@ -153,9 +177,9 @@ class BoundarySearch {
   const Anchors& anchors_;
   const BestOptions& options_;
   AnchorCurves curves_;
-  std::vector<std::vector<CurveId>> sides_;
-  double limit_ = 0;
-  bool incomplete_ = false;
+  SearchBudget budget_;
+  std::set<std::vector<CurveId>> found_;
+  std::map<CurveId, TautPath> paths_;
 };
 
 }  // namespace

@@ -25,13 +25,15 @@ struct BestOptions {
 struct BoundaryList {
   std::vector<WorkspaceBoundary> boundaries;        ///< Largest area first; equal areas by length, then by words.
   bool complete = false;                            ///< No valid boundary up to max_boundary is missing.
+  double complete_length = 0;                       ///< None up to this length is missing, metres.
   std::optional<WorkspaceObstruction> obstruction;  ///< Where there is none: why.
 };
 
 /// All valid boundaries up to a length: one taut side per anchor to the next, together closed, null-homotopic and
-/// weakly simple, with area inside. The classes of each side come shortest first; partial boundaries that start at the
-/// first anchor are joined in the middle with those that end there, where their products cancel. A part is pruned when
-/// it, with the taut way back to the first anchor, is longer than the limit, or when it crosses itself.
+/// weakly simple, with area inside. The limit is raised in steps, so that a search that ends early knows the shorter
+/// boundaries. Each step lists the classes of each side that spend up to half of the slack, which is what the limit
+/// leaves beyond the shortest sides, and joins them as BoundaryFan does. Requires two anchors at least. The number of
+/// classes grows exponentially with the slack; their joins cost O(triangles) each.
 BoundaryList FindBoundaries(const CableGround& ground, const Anchors& anchors, const BestOptions& options);
 
 }  // namespace tautline

@@ -29,10 +29,12 @@ Ring RingOf(const Anchors& anchors, const std::vector<BoundarySide>& sides) {
 
 /// The first pair of sides that cross, or a side that crosses itself.
 std::vector<std::size_t> FindCrossing(const TautSpace& space, const std::vector<Walk>& walks) {
+  std::vector<WalkSpots> spots;
   for (std::size_t i = 0; i < walks.size(); ++i) {
-    if (CablesCross(space, walks[i], walks[i])) return {i};
+    spots.emplace_back(space, walks[i]);
+    if (CablesCross(spots[i], spots[i])) return {i};
     for (std::size_t k = 0; k < i; ++k) {
-      if (CablesCross(space, walks[k], walks[i])) return {k, i};
+      if (CablesCross(spots[k], spots[i])) return {k, i};
     }
   }
   return {};

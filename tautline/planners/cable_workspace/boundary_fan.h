@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "tautline/base/stop.h"
@@ -40,15 +42,23 @@ struct FanOptions {
   SearchBudget* budget = nullptr;  ///< Spends a step for each triangle looked at.
 };
 
-/// The chord from anchor 0 to anchor k is the class of the sides before k, and, read backwards, of those after it. So a
-/// closed boundary is a path through a graph: its nodes are chords, in layers by k, and its edges are sides. The graph
-/// is grown from both ends, layer by layer, where the next layer is cheaper; a chord is left out when the sides up to
-/// it and the longer of itself and of the shortest sides that are missing exceed the limit. What both ends reach in the
-/// layer where they meet gives every chord the exact length of its best rest: only what can be closed is then walked.
+/// The chord from anchor 0 to anchor k is the class of the sides before k, and, read backwards, of those from k on. So
+/// a closed boundary is a path through a graph: its nodes are chords, in layers by k, its edges are sides, and it leads
+/// from the trivial chord to the trivial chord.
+///
+/// What the limit leaves beyond the shortest sides is the slack; each side spends some of it. Along a closed boundary,
+/// the first side with which more than half of the slack is spent has at most half of it spent before, and less than
+/// half after it. So chords are grown from both ends with half of the slack, and joined by one side, which is listed
+/// when it spends up to half alone, and otherwise is what closes the gap. Sides are never listed farther than that: the
+/// number of classes grows exponentially with the slack. Chords are left out when the sides spent, and the longer of
+/// the chord and the shortest sides that are missing, exceed the limit.
+///
+/// Then every chord knows the exact length of its best rest, and only what can be closed is walked.
 class BoundaryFan {
  public:
-  /// `sides`: the classes of each side, shortest first, none of which crosses itself.
-  BoundaryFan(const CableGround& ground, AnchorCurves& curves, const std::vector<std::vector<CurveId>>& sides,
+  /// `sides`: the classes of each side that spend up to half of the slack, shortest first, none of which crosses
+  /// itself. The anchors' exits come with the walks.
+  BoundaryFan(const Anchors& anchors, AnchorCurves& curves, const std::vector<std::vector<CurveId>>& sides,
               const FanOptions& options);
 
   /// Calls visit(curves by side) for every closed boundary up to the limit whose sides do not cross. Throws Stopped
@@ -72,22 +82,29 @@ class BoundaryFan {
   struct Layer {
     std::vector<Node> nodes;
     std::unordered_map<std::int32_t, std::int32_t> node_of;  ///< By chord.
+    std::size_t forwards = 0;                                ///< So many nodes, the first ones, were grown forwards.
   };
 
+  double SpentBefore(std::size_t k, double length) const { return length - (rest_[0] - rest_[k]); }
+  double SpentAfter(std::size_t k, double length) const { return length - rest_[k]; }
   void GrowForwards(std::size_t k);
   void GrowBackwards(std::size_t k);
+  void JoinByListed(std::size_t k);
+  void JoinByLong(std::size_t k);
   std::int32_t NodeOf(Layer& layer, CurveId chord);
+  void AddStep(Node& node, CurveId side, std::int32_t to);
   bool IsTriangle(CurveId chord, CurveId side, CurveId next);
   void SortSteps(std::size_t k);
   void Descend(std::size_t k, const Node& node, double used);
   bool Push(CurveId curve);
 
-  const CableGround& ground_;
   AnchorCurves& curves_;
   const std::vector<std::vector<CurveId>>& sides_;
   FanOptions options_;
+  CurveId trivial_;
+  double half_ = 0;            ///< Of the slack, metres.
   std::vector<double> rest_;   ///< By anchor: the shortest sides from it on, metres.
-  std::vector<Layer> layers_;  ///< By anchor; the first one is empty.
+  std::vector<Layer> layers_;  ///< By anchor, from the first one until it comes again.
   std::vector<CurveId> drawn_;
   std::vector<CurveId> chosen_;
   const std::function<void(std::span<const CurveId>)>* visit_ = nullptr;

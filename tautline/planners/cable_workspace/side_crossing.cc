@@ -20,6 +20,8 @@ struct Spot {
   friend auto operator<=>(const Spot&, const Spot&) = default;
 };
 
+constexpr std::uint8_t kUnknown = 255;
+
 /// Where the walks are.
 struct Ground {
   const FreeMesh& mesh;
@@ -44,33 +46,12 @@ std::optional<Spot> EndSpot(const Ground& ground, TriangleId id, Point p) {
   return std::nullopt;
 }
 
-/// A walk read forwards or backwards.
-struct Reading {
-  const Walk& walk;
-  bool forwards;
-
-  std::size_t size() const { return walk.sleeve.size(); }
-  TriangleId operator[](std::size_t i) const {
-    return walk.sleeve.triangles()[forwards ? i : walk.sleeve.size() - 1 - i];
-  }
-  Point first() const { return forwards ? walk.from : walk.at; }
-  Point last() const { return forwards ? walk.at : walk.from; }
-};
-
 /// The edge through which a triangle is left to a neighbour.
 Spot SpotTowards(const FreeMesh& mesh, TriangleId from, TriangleId to) {
   for (int i = 0; i < 3; ++i) {
     if (mesh.triangle(from).neighbour(i) == to && !mesh.triangle(from).is_constrained(i)) return EdgeSpot(i);
   }
   return {};
-}
-
-/// Where a reading comes into its i-th triangle, and where it leaves it.
-std::optional<Spot> EntryOf(const Ground& ground, const Reading& r, std::size_t i) {
-  return i == 0 ? EndSpot(ground, r[0], r.first()) : SpotTowards(ground.mesh, r[i], r[i - 1]);
-}
-std::optional<Spot> ExitOf(const Ground& ground, const Reading& r, std::size_t i) {
-  return i + 1 == r.size() ? EndSpot(ground, r[i], r.last()) : SpotTowards(ground.mesh, r[i], r[i + 1]);
 }
 
 /// Counter-clockwise from `from`: -1 when a comes before b, 1 after, 0 when they are one or one is unknown.
@@ -88,47 +69,93 @@ bool Alternate(const std::optional<Spot>& a, const std::optional<Spot>& b, const
   return (CompareFrom(*a, b, c) < 0) != (CompareFrom(*a, b, d) < 0);
 }
 
+}  // namespace
+
+WalkSpots::WalkSpots(const TautSpace& space, const Walk& walk)
+    : triangles_(walk.sleeve.triangles().begin(), walk.sleeve.triangles().end()) {
+  const Ground ground{space.mesh(), space.tolerance()};
+  const auto add = [this](const std::optional<Spot>& spot, double& along) {
+    spots_.push_back(spot ? static_cast<std::uint8_t>(spot->at) : kUnknown);
+    if (spot) along = spot->along;
+  };
+  const auto towards = [&](std::size_t from, std::size_t to) {
+    spots_.push_back(static_cast<std::uint8_t>(SpotTowards(ground.mesh, triangles_[from], triangles_[to]).at));
+  };
+  const std::size_t n = triangles_.size();
+  places_.reserve(n);
+  spots_.reserve(2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    places_.emplace_back(triangles_[i], static_cast<std::uint32_t>(i));
+    if (i == 0) {
+      add(EndSpot(ground, triangles_[0], walk.from), first_along_);
+    } else {
+      towards(i, i - 1);
+    }
+    if (i + 1 == n) {
+      add(EndSpot(ground, triangles_[i], walk.at), last_along_);
+    } else {
+      towards(i, i + 1);
+    }
+  }
+  std::sort(places_.begin(), places_.end());
+}
+
+/// A walk read forwards or backwards.
+struct WalkSpots::Reading {
+  const WalkSpots& spots;
+  bool forwards;
+
+  std::size_t size() const { return spots.triangles_.size(); }
+  /// The place in the walk of the i-th triangle, and the other way round.
+  std::size_t Place(std::size_t i) const { return forwards ? i : size() - 1 - i; }
+  TriangleId operator[](std::size_t i) const { return spots.triangles_[Place(i)]; }
+  /// Where the reading comes into its i-th triangle, and where it leaves it.
+  std::optional<Spot> Entry(std::size_t i) const { return At(Place(i), !forwards); }
+  std::optional<Spot> Exit(std::size_t i) const { return At(Place(i), forwards); }
+
+ private:
+  std::optional<Spot> At(std::size_t place, bool exit) const {
+    const std::uint8_t at = spots.spots_[2 * place + (exit ? 1 : 0)];
+    if (at == kUnknown) return std::nullopt;
+    if (!exit && place == 0) return Spot{at, spots.first_along_};
+    if (exit && place + 1 == size()) return Spot{at, spots.last_along_};
+    return Spot{at, 0};
+  }
+};
+
 /// Whether two readings part to opposite sides at the two ends of what they share from triangles i and k on. Nothing is
 /// to be shared before.
-bool CrossAlong(const Ground& ground, const Reading& a, const Reading& b, std::size_t i, std::size_t k) {
+bool WalkSpots::CrossAlong(const Reading& a, const Reading& b, std::size_t i, std::size_t k) {
   const std::size_t first_a = i, first_b = k;
   while (i + 1 < a.size() && k + 1 < b.size() && a[i + 1] == b[k + 1]) ++i, ++k;
-  const auto entry_a = EntryOf(ground, a, first_a), entry_b = EntryOf(ground, b, first_b);
-  const auto exit_a = ExitOf(ground, a, i), exit_b = ExitOf(ground, b, k);
-  if (i == first_a) return Alternate(entry_a, exit_a, entry_b, exit_b);
+  if (i == first_a) return Alternate(a.Entry(first_a), a.Exit(i), b.Entry(first_b), b.Exit(k));
   // Counter-clockwise from the edge ahead comes the left, from the edge behind the right.
-  const int left_at_first = CompareFrom(SpotTowards(ground.mesh, a[first_a], a[first_a + 1]), entry_a, entry_b);
-  const int right_at_last = CompareFrom(SpotTowards(ground.mesh, a[i], a[i - 1]), exit_a, exit_b);
+  const int left_at_first = CompareFrom(*a.Exit(first_a), a.Entry(first_a), b.Entry(first_b));
+  const int right_at_last = CompareFrom(*a.Entry(i), a.Exit(i), b.Exit(k));
   return left_at_first * right_at_last > 0;
 }
 
-/// The places of a walk's triangles, sorted by triangle.
-std::vector<std::pair<TriangleId, std::size_t>> PlacesOf(const Reading& r) {
-  std::vector<std::pair<TriangleId, std::size_t>> places;
-  for (std::size_t i = 0; i < r.size(); ++i) places.emplace_back(r[i], i);
-  std::sort(places.begin(), places.end());
-  return places;
-}
-
-bool CrossInOneDirection(const Ground& ground, const Reading& a, const Reading& b) {
-  const auto places = PlacesOf(b);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    auto at = std::lower_bound(places.begin(), places.end(), std::pair<TriangleId, std::size_t>(a[i], 0));
-    for (; at != places.end() && at->first == a[i]; ++at) {
-      const std::size_t k = at->second;
+bool WalkSpots::CrossInOneDirection(const Reading& a, const Reading& b) {
+  auto first = b.spots.places_.begin();
+  const auto last = b.spots.places_.end();
+  for (const auto& [triangle, place] : a.spots.places_) {
+    while (first != last && first->first < triangle) ++first;
+    for (auto at = first; at != last && at->first == triangle; ++at) {
+      const std::size_t i = a.Place(place), k = b.Place(at->second);
       if (i > 0 && k > 0 && a[i - 1] == b[k - 1]) continue;
-      if (CrossAlong(ground, a, b, i, k)) return true;
+      if (CrossAlong(a, b, i, k)) return true;
     }
   }
   return false;
 }
 
-}  // namespace
+bool CablesCross(const WalkSpots& a, const WalkSpots& b) {
+  // With itself, a walk shares all of itself, and parts nowhere.
+  return WalkSpots::CrossInOneDirection({a, true}, {b, true}) || WalkSpots::CrossInOneDirection({a, true}, {b, false});
+}
 
 bool CablesCross(const TautSpace& space, const Walk& a, const Walk& b) {
-  const Ground ground{space.mesh(), space.tolerance()};
-  // With itself, a walk shares all of itself, and parts nowhere.
-  return CrossInOneDirection(ground, {a, true}, {b, true}) || CrossInOneDirection(ground, {a, true}, {b, false});
+  return CablesCross(WalkSpots(space, a), WalkSpots(space, b));
 }
 
 bool EndsOnBoundary(const TautSpace& space, const Place& place) {
