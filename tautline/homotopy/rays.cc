@@ -2,15 +2,26 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "tautline/geometry/predicates.h"
 
 namespace tautline {
 
-Rays::Rays(const FreeSpace& space) : names_(NamesOf(space)) {
-  for (std::size_t i = 0; i < space.islands.size(); ++i) {
-    by_x_.push_back({space.islands[i].representative, ObstacleId(i)});
-  }
+namespace {
+
+std::vector<Point> RepresentativesOf(const FreeSpace& space) {
+  std::vector<Point> points;
+  for (const Island& island : space.islands) points.push_back(island.representative);
+  return points;
+}
+
+}  // namespace
+
+Rays::Rays(const FreeSpace& space) : Rays(RepresentativesOf(space), NamesOf(space)) {}
+
+Rays::Rays(std::span<const Point> origins, std::vector<std::string> names) : names_(std::move(names)) {
+  for (std::size_t i = 0; i < origins.size(); ++i) by_x_.push_back({origins[i], ObstacleId(i)});
   std::sort(by_x_.begin(), by_x_.end(), [](const Ray& a, const Ray& b) {
     return std::tie(a.origin.x, a.obstacle) < std::tie(b.origin.x, b.obstacle);
   });

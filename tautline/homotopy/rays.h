@@ -19,6 +19,9 @@ class Rays {
   /// One ray from the representative of each island. O(n log n) for n islands.
   explicit Rays(const FreeSpace& space);
 
+  /// One ray from each of some points, by ObstacleId, with the names of their letters. O(n log n) for n points.
+  Rays(std::span<const Point> origins, std::vector<std::string> names);
+
   /// The reduced word of a polyline that does not pass through a representative point. Homotopic paths have equal
   /// words. O(log n) per segment and per crossing of a ray's column.
   Word WordOf(std::span<const Point> polyline) const;

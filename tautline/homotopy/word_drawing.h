@@ -2,7 +2,7 @@
 #ifndef TAUTLINE_HOMOTOPY_WORD_DRAWING_H_
 #define TAUTLINE_HOMOTOPY_WORD_DRAWING_H_
 
-#include <map>
+#include <cstddef>
 #include <vector>
 
 #include "tautline/base/rng.h"
@@ -22,19 +22,21 @@ class WordDrawing {
   Polyline Draw(Point from, const Word& word, Point to) const;
 
  private:
-  /// The rays that share an x, from the lowest start up, and lines beside and above them.
+  /// The rays that share an x, or nearly, from the lowest start up, and lines beside and above them.
   struct Column {
-    double left;
-    double right;
+    double left;   ///< The least x of the rays; once they are gathered, that of a line to the left of them.
+    double right;  ///< The same on the right.
     std::vector<ObstacleId> islands;
     std::vector<double> above;  ///< A height between the start of each ray and the next higher one's.
   };
 
+  void GatherColumns(const FreeSpace& space, double extent);
   void AddCrossing(const Column& column, std::size_t k, bool inverse, Polyline& drawing) const;
   void AddLetter(Letter letter, Polyline& drawing) const;
 
-  std::map<double, Column> columns_;
-  std::vector<double> column_of_island_;
+  std::vector<Column> columns_;  ///< From left to right.
+  std::vector<std::size_t> column_of_island_;
+  std::vector<std::size_t> rank_of_island_;  ///< In the order in which a traveller to the right meets the rays.
   double ground_;
 };
 

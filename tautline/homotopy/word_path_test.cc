@@ -42,6 +42,30 @@ TEST(FindWordPath, TellsObstaclesOfOneColumnApart) {
   EXPECT_TRUE(PathOf(space, scene['A'], scene['B'], "b"));
 }
 
+TEST(FindWordPath, TellsObstaclesOfNearlyOneColumnApart) {
+  // As near as numbers can be, in every order of columns and heights: no line fits between the rays.
+  for (const double step : {0x1p-52, -0x1p-52, 0x1p-45}) {
+    auto scene = Sketch({".....",  //
+                         "..c..",  //
+                         ".....",  //
+                         "A.b.B",  //
+                         ".....",  //
+                         "..a..",  //
+                         "....."});
+    double x = 2.5;
+    for (const double y : {1.5, 3.5, 5.5}) {
+      scene.world.obstacles[static_cast<std::size_t>(y / 2)].representative = Point{x, y};
+      x += 4 * step;
+    }
+    const TautSpace space(SpaceOf(scene));
+    for (const char* word :
+         {"", "a", "b", "c", "a b", "b a", "a b c", "c b a", "b c^-1 a", "a c b^-1 a", "b b a^-1 c"}) {
+      SCOPED_TRACE(word);
+      ASSERT_TRUE(PathOf(space, scene['A'], scene['B'], word)) << "step " << step;
+    }
+  }
+}
+
 TEST(FindWordPath, KnowsThatACourtyardIsLeftByNoWord) {
   const auto scene = Sketch({".......",  //
                              ".aaaaa.",  //

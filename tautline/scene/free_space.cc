@@ -78,11 +78,6 @@ std::string NameOf(const std::vector<std::string>& names, std::int32_t snap_sour
   return snap_source == kWallSource ? "wall" : names[static_cast<std::size_t>(snap_source - 1)];
 }
 
-Point RepresentativeOf(const Obstacle& obstacle) {
-  if (obstacle.representative) return *obstacle.representative;
-  return obstacle.circle ? obstacle.circle->centre : InteriorPoint(*obstacle.polygon);
-}
-
 /// Turns an overlay into components and islands.
 class Assembler {
  public:
@@ -249,6 +244,11 @@ double BoundaryTolerance(const FreeSpace& space) {
   // Growth is up to 6 spacings more than the clearance; printed coordinates are rounded by up to 10.
   constexpr double kSpacings = 16;
   return std::max(std::min(space.snap, kRounding), kSpacings * space.grid);
+}
+
+Point RepresentativeOf(const Obstacle& obstacle) {
+  if (obstacle.representative) return *obstacle.representative;
+  return obstacle.circle ? obstacle.circle->centre : InteriorPoint(*obstacle.polygon);
 }
 
 std::vector<std::string> NamesOf(const FreeSpace& space) {

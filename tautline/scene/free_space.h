@@ -86,6 +86,10 @@ struct FreeSpace {
 /// what rounding of input and of printed results can cause, however far apart boundaries are joined.
 double BoundaryTolerance(const FreeSpace& space);
 
+/// Where the ray of an obstacle starts while it is an island of its own: at its representative, or else at the centre
+/// of a circle or an InteriorPoint of a polygon. O(n).
+Point RepresentativeOf(const Obstacle& obstacle);
+
 /// The names of the islands, by ObstacleId.
 std::vector<std::string> NamesOf(const FreeSpace& space);
 

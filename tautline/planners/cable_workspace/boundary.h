@@ -27,6 +27,8 @@ enum class WorkspaceObstruction {
   kGoalOutside,         ///< Its goal is not.
   kTaskOutside,         ///< A task is not.
   kPoseOutside,         ///< The pose that is asked about is not.
+  kAnchorBlocked,       ///< In a future, an obstacle covers an anchor.
+  kTooTangled,          ///< In a future, a side winds around obstacles more often than its word can be written.
 };
 
 /// The slug of docs/workspace.md: "boundary_crosses_itself", ...; "" for kNone.

@@ -46,6 +46,10 @@ std::string ToString(WorkspaceObstruction obstruction) {
       return "task_outside";
     case WorkspaceObstruction::kPoseOutside:
       return "pose_outside";
+    case WorkspaceObstruction::kAnchorBlocked:
+      return "anchor_blocked";
+    case WorkspaceObstruction::kTooTangled:
+      return "too_tangled";
   }
   return "";
 }
