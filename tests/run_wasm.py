@@ -31,6 +31,8 @@ COMMANDS = {
     "taut": ["--verify"],
     "workspace boundary": ["--verify"],
     "workspace pose": ["--verify"],
+    "workspace move": ["--acceleration", "0.5", "--winch-limit", "0.4", "--dt", "7", "--verify"],
+    "workspace tour": ["--round", "--rounds", "20", "--verify"],
 }
 
 

@@ -6,6 +6,7 @@
 #include "tautline/homotopy/ring_ground.h"
 #include "tautline/planners/cable_workspace/explain_workspace.h"
 #include "tautline/scene/check_cables.h"
+#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 
@@ -69,6 +70,21 @@ void AddFault(const WorkspaceSetup& setup, const BoundaryFault& fault, const Jso
     json["at_fault"].push_back(std::move(at_fault));
   }
   if (fault.at) json["at"] = values.Of(*fault.at);
+}
+
+Expected<Point> StartInWorkspace(const Scene& scene, const std::optional<Point>& from) {
+  if (!from && !scene.cables->laid) {
+    return InvalidInput("words do not say where the robot is; give its start as --from X,Y", scene.path);
+  }
+  const Point start = from ? *from : scene.cables->laid->front().front();
+  if (const auto checked = CheckGoal(start, "the start"); !checked) return tl::unexpected(checked.error());
+  return start;
+}
+
+void AddOutside(const OutsideFault& fault, Json& json) {
+  json["reason"] = ToString(fault.obstruction);
+  json["explanation"] = fault.explanation;
+  if (!fault.tasks.empty()) json["tasks"] = fault.tasks;
 }
 
 std::vector<std::string> BoundaryFaults(const CableGround& ground, const WorkspaceBoundary& boundary) {

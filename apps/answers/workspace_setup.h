@@ -2,12 +2,13 @@
 #ifndef APPS_ANSWERS_WORKSPACE_SETUP_H_
 #define APPS_ANSWERS_WORKSPACE_SETUP_H_
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/answers/json_values.h"
 #include "tautline/base/error.h"
-#include "tautline/planners/cable_workspace/boundary.h"
+#include "tautline/planners/cable_workspace/region_path.h"
 #include "tautline/scene/scene.h"
 
 namespace tautline {
@@ -31,6 +32,12 @@ Json BoundaryJson(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary
 
 /// Adds `reason`, `explanation`, and, where they are known, `at_fault` and `at`.
 void AddFault(const WorkspaceSetup& setup, const BoundaryFault& fault, const JsonValues& values, Json& json);
+
+/// Where the robot starts: `from`, or where the cables are laid. Errors: neither is known; CheckGoal refuses it.
+[[nodiscard]] Expected<Point> StartInWorkspace(const Scene& scene, const std::optional<Point>& from);
+
+/// Adds `reason`, `explanation` and, where tasks are outside, `tasks`.
+void AddOutside(const OutsideFault& fault, Json& json);
 
 /// Every fault of the sides as taut curves, and of their product.
 std::vector<std::string> BoundaryFaults(const CableGround& ground, const WorkspaceBoundary& boundary);

@@ -50,8 +50,10 @@ bool SameFile(const std::string& a, const std::string& b) {
 /// The files that are to be written, with their options.
 std::vector<std::pair<std::string, std::string>> OutputsOf(const CommonOptions& options) {
   std::vector<std::pair<std::string, std::string>> outputs;
-  for (const auto& [option, path] :
-       {std::pair{"--svg", options.svg}, {"--png", options.png}, {"--save-prepared", options.save_prepared}}) {
+  for (const auto& [option, path] : {std::pair{"--svg", options.svg},
+                                     {"--png", options.png},
+                                     {"--csv", options.csv},
+                                     {"--save-prepared", options.save_prepared}}) {
     if (!path.empty()) outputs.emplace_back(option, path);
   }
   return outputs;
@@ -118,6 +120,9 @@ Expected<void> KeepInput(const CommonOptions& options, const std::string& input)
 Expected<int> Deliver(const CommonOptions& options, const Answer& answer) {
   OutputFiles files;
   if (const auto added = AddPictures(options, answer, files); !added) return tl::unexpected(added.error());
+  if (!options.csv.empty()) {
+    if (const auto added = files.Add(options.csv, answer.csv()); !added) return tl::unexpected(added.error());
+  }
   if (!options.save_prepared.empty()) {
     const auto added = files.Add(options.save_prepared, answer.prepared());
     if (!added) return tl::unexpected(added.error());

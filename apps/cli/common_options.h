@@ -24,6 +24,7 @@ struct CommonOptions {
   std::string svg;
   std::string png;
   std::string prepared;       ///< A prepared map to read; commands that take one add the option.
+  std::string csv;            ///< Where to write a table; commands that have one add the option.
   std::string save_prepared;  ///< Where to keep the preparation.
   double simplify = 0;
   int threads = 1;
@@ -45,12 +46,13 @@ struct Answer {
   const nlohmann::ordered_json& json;
   std::string text;                            ///< For people, with the final newline.
   std::function<std::string()> draw;           ///< The picture as SVG; called only where one is asked for.
+  std::function<std::string()> csv = {};       ///< The table for --csv; called only where it is asked for.
   std::function<std::string()> prepared = {};  ///< The bytes for --save-prepared; called only where they are asked for.
   int status = 0;
 };
 
-/// Writes the answer to standard output and puts its pictures in place, both or none; the exit status, or what could
-/// not be written. Pictures are written before anything is printed, and put in place after.
+/// Writes the answer to standard output and puts its files in place, all or none; the exit status, or what could
+/// not be written. Files are written before anything is printed, and put in place after.
 [[nodiscard]] Expected<int> Deliver(const CommonOptions& options, const Answer& answer);
 
 }  // namespace tautline::cli

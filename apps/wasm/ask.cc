@@ -8,10 +8,12 @@
 #include "apps/answers/show_answer.h"
 #include "apps/wasm/ask_options.h"
 #include "tautline/draw/draw_classes.h"
+#include "tautline/draw/draw_move.h"
 #include "tautline/draw/draw_plan.h"
 #include "tautline/draw/draw_reach.h"
 #include "tautline/draw/draw_show.h"
 #include "tautline/draw/draw_taut.h"
+#include "tautline/draw/draw_tour.h"
 #include "tautline/draw/draw_workspace.h"
 #include "tautline/scene/json_document.h"
 #include "tautline/scene/map_reader.h"
@@ -133,6 +135,41 @@ Reply PoseIn(const Scene& scene, const AskOptions& options) {
   return reply;
 }
 
+Reply NoBoundary(const Scene& scene, const WorkspaceSetup& setup,
+                 const tl::expected<WorkspaceBoundary, BoundaryFault>& boundary, Reply reply) {
+  const WorkspacePicture picture{.anchors = setup.anchors, .boundary = boundary, .longest = {}};
+  reply.svg = DrawWorkspace(scene, setup.ground.space().free_space(), picture);
+  return reply;
+}
+
+Reply MoveTo(const Scene& scene, const AskOptions& options) {
+  const auto answer = AnswerMove(scene, options.move);
+  if (!answer) return Refuse(answer.error());
+  Reply reply{.status = answer->status, .answer = Text(answer->json)};
+  if (!options.svg) return reply;
+  if (!answer->move) return NoBoundary(scene, answer->setup, answer->boundary, std::move(reply));
+  reply.svg = DrawMove(scene, answer->setup.ground.space().free_space(),
+                       {.anchors = answer->setup.anchors,
+                        .boundary = *answer->boundary,
+                        .start = answer->from,
+                        .goal = answer->to,
+                        .options = answer->options,
+                        .move = *answer->move});
+  return reply;
+}
+
+Reply TourOver(const Scene& scene, const AskOptions& options) {
+  const auto answer = AnswerTour(scene, options.tour);
+  if (!answer) return Refuse(answer.error());
+  Reply reply{.status = answer->status, .answer = Text(answer->json)};
+  if (!options.svg) return reply;
+  if (!answer->tour) return NoBoundary(scene, answer->setup, answer->boundary, std::move(reply));
+  reply.svg = DrawTour(
+      scene, answer->setup.ground.space().free_space(),
+      {.anchors = answer->setup.anchors, .boundary = *answer->boundary, .stops = answer->stops, .tour = *answer->tour});
+  return reply;
+}
+
 Reply Answer(const Question& question) {
   const auto options = ReadAskOptions(question.command, question.options);
   if (!options) return Refuse(options.error());
@@ -145,7 +182,9 @@ Reply Answer(const Question& question) {
                                                         {"taut", Taut},
                                                         {"show", Show},
                                                         {"workspace boundary", Boundary},
-                                                        {"workspace pose", PoseIn}};
+                                                        {"workspace pose", PoseIn},
+                                                        {"workspace move", MoveTo},
+                                                        {"workspace tour", TourOver}};
   for (const auto& [name, answerer] : answerers) {
     if (question.command == name) return answerer(*scene, *options);
   }

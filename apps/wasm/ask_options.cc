@@ -45,6 +45,20 @@ class OptionsReader {
     if (const Document* value = options_.Find(key)) to = reader_.ReadNonNegative(*value, key);
   }
 
+  /// A number larger than 0.
+  template <class Number>
+  void Positive(const char* key, Number& to) {
+    if (const Document* value = options_.Find(key)) to = reader_.ReadPositive(*value, key);
+  }
+
+  /// One number larger than 0, or a list of such.
+  void Positives(const char* key, std::vector<double>& to) {
+    const Document* value = options_.Find(key);
+    if (value == nullptr) return;
+    if (!value->is(Document::Kind::kList)) return to.push_back(reader_.ReadPositive(*value, key));
+    for (const Document& item : value->items) to.push_back(reader_.ReadPositive(item, key));
+  }
+
   void APoint(const char* key, std::optional<Point>& to) {
     if (const Document* value = options_.Find(key)) to = reader_.ReadPoint(*value, key);
   }
@@ -106,6 +120,24 @@ void ReadPose(OptionsReader& options, PoseQuestion& question) {
   options.APoint("at", question.at);
 }
 
+void ReadMove(OptionsReader& options, MoveQuestion& question) {
+  options.Flag("verify", question.verify);
+  options.APoint("from", question.from);
+  options.APoint("to", question.to);
+  options.Positive("speed", question.options.speed);
+  options.Positive("acceleration", question.options.acceleration);
+  options.Positives("winch_limit", question.options.winch_limits);
+  options.Positive("dt", question.dt);
+}
+
+void ReadTour(OptionsReader& options, TourQuestion& question) {
+  options.Flag("verify", question.verify);
+  options.APoint("from", question.from);
+  options.APoint("to", question.to);
+  options.Flag("round", question.round);
+  options.AtLeastOne("rounds", question.options.rounds_per_task);
+}
+
 /// A command with the options that it knows besides those of all, and how they are read.
 struct CommandOptions {
   const char* name;
@@ -124,6 +156,12 @@ std::vector<CommandOptions> AllCommands() {
       {"show", {}, [](OptionsReader&, AskOptions&) {}},
       {"workspace boundary", {}, [](OptionsReader& o, AskOptions& asked) { o.Flag("verify", asked.boundary.verify); }},
       {"workspace pose", {"at"}, [](OptionsReader& o, AskOptions& asked) { ReadPose(o, asked.pose); }},
+      {"workspace move",
+       {"from", "to", "speed", "acceleration", "winch_limit", "dt"},
+       [](OptionsReader& o, AskOptions& asked) { ReadMove(o, asked.move); }},
+      {"workspace tour",
+       {"from", "to", "round", "rounds"},
+       [](OptionsReader& o, AskOptions& asked) { ReadTour(o, asked.tour); }},
   };
 }
 

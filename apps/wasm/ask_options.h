@@ -6,10 +6,12 @@
 
 #include "apps/answers/boundary_answer.h"
 #include "apps/answers/classes_answer.h"
+#include "apps/answers/move_answer.h"
 #include "apps/answers/plan_answer.h"
 #include "apps/answers/pose_answer.h"
 #include "apps/answers/reach_answer.h"
 #include "apps/answers/taut_answer.h"
+#include "apps/answers/tour_answer.h"
 #include "tautline/base/error.h"
 #include "tautline/scene/scene_options.h"
 
@@ -24,12 +26,16 @@ struct AskOptions {
   TautQuestion taut;
   BoundaryQuestion boundary;
   PoseQuestion pose;
+  MoveQuestion move;
+  TourQuestion tour;
 };
 
 /// Reads a JSON object such as `{"count": 5, "svg": true}`; no text stands for no options. All commands know `svg`,
 /// `verify`, `unknown` and `simplify`; plan knows `all`, `count` and `budget`; reach knows `sheets`, `at`
 /// and `budget`; classes knows `from`, `to`,
-/// `max_length`, `count`, `word` and `budget`; workspace pose knows `at`. Only the members of `command` are filled in. Errors: kInvalidInput for a
+/// `max_length`, `count`, `word` and `budget`; workspace pose knows `at`; workspace
+/// move knows `from`, `to`, `speed`, `acceleration`, `winch_limit` and `dt`; workspace tour knows `from`, `to`, `round`
+/// and `rounds`. Only the members of `command` are filled in. Errors: kInvalidInput for a
 /// command that there is not, and for what is not JSON, unknown or out of range.
 [[nodiscard]] Expected<AskOptions> ReadAskOptions(const std::string& command, const std::string& text);
 

@@ -23,6 +23,9 @@ draw taut.svg taut scenes/tanks.yaml
 draw show.svg show scenes/free_ground.yaml
 draw workspace.svg workspace boundary scenes/workspace.yaml
 draw workspace_pose.svg workspace pose scenes/workspace.yaml --at 90,90
+draw workspace_move.svg workspace move scenes/camera_hall.yaml --from 30,10 --to 110,100 --speed 10 --acceleration 4 \
+  --winch-limit 6
+draw workspace_tour.svg workspace tour scenes/camera_hall.yaml --round
 draw engine_taut.svg taut scenes/store_room.yaml
 draw engine_classes.svg classes scenes/store_room.yaml
 draw engine_choice.svg plan scenes/store_room.yaml --all

@@ -40,21 +40,10 @@ std::vector<LegendEntry> SidesLegend(const FreeSpace& space, const WorkspacePict
   return legend;
 }
 
-std::string WithCapital(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
 std::set<ObstacleId> LettersOf(const WorkspaceBoundary& boundary) {
   std::set<ObstacleId> letters;
   for (const BoundarySide& side : boundary.sides) letters.merge(IslandsOf(side.path.word));
   return letters;
-}
-
-std::vector<Point> BasesOf(const Anchors& anchors) {
-  std::vector<Point> bases;
-  for (const Socket& anchor : anchors) bases.push_back(anchor.base);
-  return bases;
 }
 
 /// The sides as far as they are known, those at fault over the others.
@@ -79,7 +68,7 @@ std::string DrawWorkspace(const Scene& scene, const FreeSpace& space, const Work
     content.title = "The cables can move the robot in " + AreaText(picture.boundary->area);
   } else {
     content.title = "No workspace";
-    content.notes = {WithCapital(picture.boundary.error().explanation) + "."};
+    content.notes = {Sentence(picture.boundary.error().explanation)};
     content.legend.push_back({kFaultLine, "side at fault"});
   }
   for (LegendEntry& entry : SidesLegend(space, picture)) content.legend.push_back(std::move(entry));

@@ -15,7 +15,9 @@ namespace {
 
 constexpr double kLabelSize = 12.5;
 constexpr double kLabelLine = 15.5;
-constexpr double kFartherCost = 0.15;         // For each next place of a label that is farther off.
+constexpr double kFartherCost = 0.15;  // For each next place of a label that is farther off.
+constexpr double kPlotHeight = 240;
+constexpr double kPlotGap = 14;               // Above each plot.
 constexpr double kSmallIsland = 0.35;         // Of the map's width and height.
 constexpr std::size_t kManyVertices = 5'000;  // From here on coordinates have one decimal.
 
@@ -38,7 +40,8 @@ PageContent MakePage(const Scene& scene, const FreeSpace& space, const FigureCon
   PageContent page{.world = ShownWorld(scene, space, content.shown),
                    .title = content.title,
                    .notes = content.notes,
-                   .legend = content.legend};
+                   .legend = content.legend,
+                   .below = static_cast<double>(content.plots.size()) * (kPlotHeight + kPlotGap)};
   for (LegendEntry& entry : GroundLegend(space, LengthDecimals(space))) page.legend.push_back(std::move(entry));
   return page;
 }
@@ -151,7 +154,8 @@ Figure::Figure(const Scene& scene, const FreeSpace& space, const FigureContent& 
       page_(MakePage(scene, space, content)),
       view_(page_.view()),
       svg_(WriterOptions(page_, space, content.title)),
-      placer_(page_.map()) {
+      placer_(page_.map()),
+      plots_(content.plots) {
   svg_.DefineHatch(kClearanceColour, kClearanceLineColour);
   DrawGround(svg_, view_, scene.world, space,
              {.frame = page_.map(), .tints = content.tints, .outline_obstacles = content.outline_obstacles});
@@ -245,7 +249,18 @@ std::string Figure::Finish() {
   for (const SvgText& text : texts) svg_.Text(text);
   svg_.CloseGroup();
   page_.DrawAround(svg_, Remark(scene_, space_));
+  DrawPlots();
   return svg_.Finish();
+}
+
+void Figure::DrawPlots() {
+  Box frame = page_.strip();
+  for (const PlotContent& plot : plots_) {
+    frame.low.y += kPlotGap;
+    frame.high.y = frame.low.y + kPlotHeight;
+    DrawPlot(svg_, frame, plot);
+    frame.low.y = frame.high.y;
+  }
 }
 
 void Figure::DrawNumbers() {

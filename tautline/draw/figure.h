@@ -12,6 +12,7 @@
 #include "tautline/draw/label_placer.h"
 #include "tautline/draw/marker.h"
 #include "tautline/draw/page.h"
+#include "tautline/draw/plot.h"
 #include "tautline/scene/free_space.h"
 
 namespace tautline {
@@ -24,6 +25,7 @@ struct FigureContent {
   std::vector<std::string> tints = {};   ///< Colours of the components; missing ones are white.
   std::vector<Point> shown = {};         ///< Points besides those of the world that the map should hold, metres.
   bool outline_obstacles = false;        ///< Draws the edges of obstacles that are merged.
+  std::vector<PlotContent> plots = {};   ///< One below the other, below map and legend.
 };
 
 /// A picture in the making. Lines are drawn in the order of the calls, over the ground; symbols,
@@ -84,6 +86,7 @@ class Figure {
   void DiscourageGround();
   Point OnMap(Point at) const;
   void DrawNumbers();
+  void DrawPlots();
   void DrawMarks();
   void PlaceMarkLabels(std::vector<SvgText>& texts);
   void PlaceLineLabels(std::vector<SvgText>& texts);
@@ -98,6 +101,7 @@ class Figure {
   std::vector<PendingMark> marks_;
   std::vector<PendingLabel> line_labels_;
   std::vector<PendingLabel> numbers_;
+  std::vector<PlotContent> plots_;
 };
 
 /// How many decimals lengths have in pictures of this space.

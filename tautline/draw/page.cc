@@ -55,6 +55,13 @@ Page::Page(const PageContent& content) : world_(WithoutFlatSides(content.world))
     }
   }
   PlaceMap(size);
+  strip_height_ = content.below;
+  height_ += strip_height_;
+}
+
+Box Page::strip() const {
+  const double low = height_ - 0.5 * kMargin;
+  return {{kMargin, low - strip_height_}, {width_ - kMargin, low}};
 }
 
 void Page::PlaceMap(Point size) {

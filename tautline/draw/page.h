@@ -17,6 +17,7 @@ struct PageContent {
   std::string title;                ///< The answer in words.
   std::vector<std::string> notes;   ///< Sentences below the title.
   std::vector<LegendEntry> legend;  ///< From top to bottom.
+  double below = 0;                 ///< Height of a strip below everything else, pixels.
 };
 
 /// The layout of a page about 1000 pixels wide: the legend stands to the right of tall and square
@@ -29,6 +30,7 @@ class Page {
   double width() const { return width_; }    ///< Of the page, pixels.
   double height() const { return height_; }  ///< Of the page, pixels.
   const Box& map() const { return map_; }    ///< The frame of the map, pixels.
+  Box strip() const;                         ///< The strip below, within the margins, pixels.
   View view() const;                         ///< Leaves a margin inside of the frame.
 
   /// Draws everything but the map: title, notes, legend, scale bar and `remark` beside it.
@@ -42,6 +44,7 @@ class Page {
   double width_ = 0;
   double height_ = 0;
   double title_height_ = 0;
+  double strip_height_ = 0;
   Box map_;
   Point legend_corner_;
   std::vector<std::string> title_lines_;

@@ -29,6 +29,19 @@ void DrawWorkspaceArea(Figure& figure, std::span<const Point> ring) {
   figure.Line("boundary", closed, kWorkspaceLine);
 }
 
+std::vector<Point> BasesOf(const Anchors& anchors) {
+  std::vector<Point> bases;
+  for (const Socket& anchor : anchors) bases.push_back(anchor.base);
+  return bases;
+}
+
+std::string Sentence(std::string explanation) {
+  if (explanation.empty()) return explanation;
+  char& first = explanation[0];
+  if (first >= 'a' && first <= 'z') first = static_cast<char>(first - 'a' + 'A');
+  return explanation + ".";
+}
+
 void MarkAnchors(Figure& figure, std::span<const Point> anchors) {
   for (std::size_t i = 0; i < anchors.size(); ++i) figure.Mark(Marker::kWinch, anchors[i], std::to_string(i + 1));
 }

@@ -20,6 +20,12 @@ std::vector<Point> WorkspacePoints(const Scene& scene);
 /// Shades a workspace and draws its boundary over the ground.
 void DrawWorkspaceArea(Figure& figure, std::span<const Point> ring);
 
+/// Where cables are tied, by anchor.
+std::vector<Point> BasesOf(const Anchors& anchors);
+
+/// An explanation with a capital letter and a full stop.
+std::string Sentence(std::string explanation);
+
 /// Marks the anchors as "1", "2", ..., counted as in explanations.
 void MarkAnchors(Figure& figure, std::span<const Point> anchors);
 
