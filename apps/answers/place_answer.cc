@@ -9,22 +9,23 @@
 namespace tautline {
 namespace {
 
-void AddPlacement(const PlaceSearch& search, const Placement& placement, Json& json) {
+void AddPlacement(const PlaceSearch& search, const PlaceResult& result, Json& json) {
+  const Placement& placement = *result.placement;
   const JsonValues values(search.ground.ground().space().free_space());
   json["anchors"] = Json::array();
   for (const Socket& anchor : placement.anchors) json["anchors"].push_back(values.Of(anchor.base));
   if (search.ground.HoldsAll(placement.worth)) json["value"] = placement.worth.value;
   json["tasks_held"] = placement.worth.tasks_held;
   json["area"] = placement.boundary.area;
-  if (placement.futures) {
-    json["expected_area"] = placement.futures->expected_area;
-    json["lost_probability"] = placement.futures->lost_probability;
+  if (result.details.futures) {
+    json["expected_area"] = result.details.futures->expected_area;
+    json["lost_probability"] = result.details.futures->lost_probability;
   }
   json["length"] = placement.boundary.length;
   json["boundary"] = values.Of(placement.boundary.ring);
   json["words"] = Json::array();
   for (const BoundarySide& side : placement.boundary.sides) json["words"].push_back(values.Of(side.path.word));
-  json["max_cable_lengths"] = placement.longest_cables;
+  json["max_cable_lengths"] = result.details.longest_cables;
 }
 
 Json HistoryJson(const std::vector<PlaceRecord>& history) {
@@ -47,7 +48,7 @@ Json ToJson(const PlaceSearch& search, const PlaceResult& result) {
   }
   json["objective"] = search.question.objective == PlaceObjective::kCable ? "cable" : "area";
   json["max_boundary"] = search.ground.max_boundary();
-  if (result.placement) AddPlacement(search, *result.placement, json);
+  if (result.placement) AddPlacement(search, result, json);
   json["jobs"] = search.question.jobs;
   json["jobs_done"] = result.jobs;
   json["seed"] = search.question.seed;

@@ -12,13 +12,14 @@ namespace tautline::cli {
 namespace {
 
 /// "4 winches: 120 m² of workspace".
-std::string Headline(const PlaceSearch& search, const Placement& placement) {
+std::string Headline(const PlaceSearch& search, const PlaceResult& result) {
+  const Placement& placement = *result.placement;
   const std::string winches = Counted(placement.anchors.size(), "winch", "winches");
   if (search.question.objective == PlaceObjective::kCable) {
     return fmt::format("{} hold all tasks with {} of cable", winches, Metres(placement.worth.value));
   }
   return fmt::format("{} move the robot in {}{}", winches, SquareMetres(placement.worth.value),
-                     placement.futures ? ", expected over all futures" : "");
+                     result.details.futures ? ", expected over all futures" : "");
 }
 
 std::string ToText(const PlaceSearch& search, const PlaceAnswer& answer) {
@@ -27,14 +28,14 @@ std::string ToText(const PlaceSearch& search, const PlaceAnswer& answer) {
   if (result.status != PlaceStatus::kSolved) {
     text += fmt::format("No place: {}.\n", result.explanation);
   } else {
-    text += fmt::format("Best places found: {}.\n", Headline(search, *result.placement));
+    text += fmt::format("Best places found: {}.\n", Headline(search, result));
   }
   if (result.placement) {
     const Placement& placement = *result.placement;
     const std::vector<std::string> names = NamesOf(search.ground.ground().space().free_space());
     for (std::size_t i = 0; i < placement.anchors.size(); ++i) {
-      text += fmt::format("  winch {:<2}  {:<24}  needs {} of cable, class to the next {}\n", i + 1,
-                          ToText(placement.anchors[i].base), Metres(placement.longest_cables[i]),
+      text += fmt::format("  winch {:<2}  {:<20}  needs {} of cable, class to the next {}\n", i + 1,
+                          Describe({&placement.anchors[i].base, 1}), Metres(result.details.longest_cables[i]),
                           Describe(placement.boundary.sides[i].path.word, names));
     }
     text += fmt::format("  boundary  {} around {}\n", Metres(placement.boundary.length),

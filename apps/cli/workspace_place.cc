@@ -88,7 +88,7 @@ void AddSearchOptions(CLI::App& sub, PlaceCommand& command) {
       ->check(CLI::IsMember({"area", "cable"}))
       ->capture_default_str();
   sub.add_option("--max-boundary", question.max_boundary,
-                 "the longest boundary; default: that of the scene, or the length of the outline")
+                 "the longest boundary; default: that of the scene, or a quarter more than the outline")
       ->type_name("METRES")
       ->check(Positive());
   sub.add_option("--jobs", question.jobs, "independent searches, each from a start of its own")

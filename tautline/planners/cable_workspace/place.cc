@@ -54,6 +54,7 @@ Expected<PlaceResult> JoinPlaceJobs(const PlacementGround& ground, std::vector<P
       if (!ground.HoldsAll(gain.worth)) continue;
       result.history.push_back({job.job, result.evaluations + gain.evaluation, gain.worth.value});
     }
+    result.starts.push_back(job.start);
     result.evaluations += job.evaluations;
     result.incomplete += job.incomplete;
   }
@@ -65,6 +66,7 @@ Expected<PlaceResult> JoinPlaceJobs(const PlacementGround& ground, std::vector<P
                           (result.placement ? ShortNumber(result.placement->worth.value) : "nothing") +
                           " here: run it again with this version of tautline");
     }
+    result.details = ground.DetailsOf(*result.placement);
   }
   if (best && ground.HoldsAll(*best)) {
     result.status = PlaceStatus::kSolved;

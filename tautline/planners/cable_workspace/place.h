@@ -33,11 +33,13 @@ struct PlaceResult {
   PlaceStatus status = PlaceStatus::kBudgetExceeded;
   WorkspaceObstruction obstruction = WorkspaceObstruction::kNone;  ///< Unless solved.
   std::string explanation;                                         ///< Unless solved: one sentence.
-  std::optional<Placement> placement;  ///< The best; unless solved, the one that holds the most tasks, if any.
-  std::vector<PlaceRecord> history;    ///< Placements that hold all tasks, each better than the one before.
-  std::int64_t evaluations = 0;        ///< Of all jobs.
-  std::int64_t incomplete = 0;         ///< How many of them ran out of budget, so that a better boundary may be missed.
-  std::size_t jobs = 0;                ///< How many there were.
+  std::optional<Placement> placement;       ///< The best; unless solved, the one that holds the most tasks, if any.
+  PlacementDetails details;                 ///< Of the placement, if any.
+  std::vector<std::vector<double>> starts;  ///< The positions from which the jobs searched, by job.
+  std::vector<PlaceRecord> history;         ///< Placements that hold all tasks, each better than the one before.
+  std::int64_t evaluations = 0;             ///< Of all jobs.
+  std::int64_t incomplete = 0;  ///< How many of them ran out of budget, so that a better boundary may be missed.
+  std::size_t jobs = 0;         ///< How many there were.
 };
 
 /// Joins jobs, in any order, none twice. The same jobs give the same result, wherever and in whatever order they were

@@ -12,16 +12,16 @@
 namespace tautline {
 namespace {
 
-/// By what share the default limit exceeds its length, so that the rounding of lengths does not exclude the boundary
-/// that runs along all of the outline.
-constexpr double kLimitSlack = 1e-9;
+/// See DefaultMaxBoundary.
+constexpr double kLimitPerOutline = 1.25;
+constexpr double kLimitPerStub = 4;
 
 std::optional<std::size_t> ComponentOfTasks(const FreeSpace& space, std::span<const Point> tasks) {
   return tasks.empty() ? std::nullopt : ComponentOf(space, tasks[0], BoundaryTolerance(space));
 }
 
 /// What no cable can undercut: each anchor's cable reaches its neighbours.
-double LeastCable(const Placement& at, const WorkspaceBoundary& boundary) {
+double LowestCable(const Placement& at, const WorkspaceBoundary& boundary) {
   const std::size_t n = at.anchors.size();
   double sum = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -60,7 +60,7 @@ std::optional<Error> FaultOf(const PlacementOptions& options) {
 }  // namespace
 
 double DefaultMaxBoundary(const OutlineWalk& outline, std::size_t anchors, double clearance) {
-  return (1 + kLimitSlack) * (outline.length() + 4 * clearance * static_cast<double>(anchors));
+  return kLimitPerOutline * outline.length() + kLimitPerStub * clearance * static_cast<double>(anchors);
 }
 
 bool HoldsTask(const CableGround& ground, const WorkspaceBoundary& boundary, Point task) {
@@ -124,14 +124,20 @@ PlacementAnswer PlacementGround::Evaluate(std::vector<double> positions) const {
   std::optional<Futures> futures;
   if (!options_.futures.empty()) {
     auto prepared = Futures::Prepare(world_, points, options_.futures);
-    if (!prepared) return {};  // An obstacle comes to lie on an anchor.
+    if (!prepared) return {};  // An obstacle moves exactly through an anchor.
     futures = *std::move(prepared);
   }
   const Placement at{.positions = std::move(positions), .anchors = *std::move(anchors)};
   BestOptions search{.max_boundary = max_boundary(), .tasks = options_.tasks, .budget = options_.budget};
   BoundaryList list = FindBoundaries(ground_, at.anchors, search);
-  PlacementAnswer answer{.complete = list.complete};
-  answer.placement = Best(at, std::move(list.boundaries), futures);
+  PlacementAnswer answer{.placement = {}, .complete = list.complete};
+  if (options_.objective == PlaceObjective::kCable) {
+    answer.placement = LeastCable(at, std::move(list.boundaries), futures ? &*futures : nullptr);
+  } else if (futures) {
+    answer.placement = LargestExpected(at, std::move(list.boundaries), *futures);
+  } else {
+    answer.placement = Largest(at, std::move(list.boundaries));
+  }
   if (answer.placement || options_.tasks.empty()) return answer;
   search.tasks.clear();
   list = FindBoundaries(ground_, at.anchors, search);
@@ -140,49 +146,78 @@ PlacementAnswer PlacementGround::Evaluate(std::vector<double> positions) const {
   return answer;
 }
 
-/// The best by the objective of boundaries that hold all tasks.
-std::optional<Placement> PlacementGround::Best(const Placement& at, std::vector<WorkspaceBoundary> boundaries,
-                                               const std::optional<Futures>& futures) const {
-  std::optional<Placement> best;
-  for (WorkspaceBoundary& boundary : boundaries) {
-    Placement candidate = at;
-    candidate.worth = {options_.tasks.size(), boundary.area};
-    const bool by_area = options_.objective == PlaceObjective::kArea;
-    if (by_area && !futures && best) break;  // The largest comes first.
-    if (!by_area && best && LeastCable(at, boundary) >= best->worth.value) continue;
-    if (futures) {
-      candidate.futures = futures->Carry(ground_, at.anchors, boundary);
-      candidate.longest_cables = candidate.futures->longest_cables;
-      candidate.worth.value = candidate.futures->expected_area;
-      // Nobody knows the cable lengths of a workspace that is no more.
-      if (!by_area && candidate.futures->lost_probability > 0) continue;
-    } else {
-      candidate.longest_cables = LengthsOf(LongestCables(ground_, at.anchors, boundary));
-    }
-    if (!by_area) candidate.worth.value = Sum(candidate.longest_cables);
-    if (best && !IsBetter(candidate.worth, best->worth)) continue;
-    candidate.boundary = std::move(boundary);
-    best = std::move(candidate);
-  }
-  return best;
+std::optional<Placement> PlacementGround::Largest(Placement at, Boundaries boundaries) const {
+  if (boundaries.empty()) return std::nullopt;
+  at.worth = {options_.tasks.size(), boundaries[0].area};
+  at.boundary = std::move(boundaries[0]);
+  return at;
 }
 
-/// The largest of the boundaries that hold the most tasks, though not all.
-std::optional<Placement> PlacementGround::HoldingMost(const Placement& at,
-                                                      std::vector<WorkspaceBoundary> boundaries) const {
-  std::optional<Placement> most;
-  for (WorkspaceBoundary& boundary : boundaries) {
-    const auto held = std::count_if(options_.tasks.begin(), options_.tasks.end(),
-                                    [&](Point task) { return HoldsTask(ground_, boundary, task); });
-    // All of them would be the affair of FindBoundaries; a search that its budget ended must not look complete.
-    const PlacementWorth worth{std::min(static_cast<std::size_t>(held), options_.tasks.size() - 1), boundary.area};
-    if (most && !IsBetter(worth, most->worth)) continue;
-    most = at;
-    most->worth = worth;
-    most->longest_cables = LengthsOf(LongestCables(ground_, at.anchors, boundary));
-    most->boundary = std::move(boundary);
+std::optional<Placement> PlacementGround::LargestExpected(Placement at, Boundaries boundaries,
+                                                          const Futures& futures) const {
+  BoundaryCarrier carrier(futures, ground_, at.anchors);
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    const double expected = carrier.Carry(boundaries[i], {.longest_cables = false}).expected_area;
+    if (best && expected <= at.worth.value) continue;
+    best = i;
+    at.worth = {options_.tasks.size(), expected};
   }
-  return most;
+  if (!best) return std::nullopt;
+  at.boundary = std::move(boundaries[*best]);
+  return at;
+}
+
+std::optional<Placement> PlacementGround::LeastCable(Placement at, Boundaries boundaries,
+                                                     const Futures* futures) const {
+  std::optional<BoundaryCarrier> carrier;
+  if (futures != nullptr) carrier.emplace(*futures, ground_, at.anchors);
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    if (best && LowestCable(at, boundaries[i]) >= at.worth.value) continue;
+    double cable = 0;
+    if (carrier) {
+      const FutureOutcomes outcomes = carrier->Carry(boundaries[i]);
+      // Nobody knows how much cable a workspace takes that is no more.
+      if (outcomes.lost_probability > 0) continue;
+      cable = Sum(outcomes.longest_cables);
+    } else {
+      cable = Sum(LengthsOf(LongestCables(ground_, at.anchors, boundaries[i])));
+    }
+    if (best && cable >= at.worth.value) continue;
+    best = i;
+    at.worth = {options_.tasks.size(), cable};
+  }
+  if (!best) return std::nullopt;
+  at.boundary = std::move(boundaries[*best]);
+  return at;
+}
+
+/// The largest of the boundaries that hold the most tasks. One that holds all of them counts as if one were missing: it
+/// is lost in a future, or FindBoundaries would have named it.
+std::optional<Placement> PlacementGround::HoldingMost(Placement at, Boundaries boundaries) const {
+  std::optional<std::size_t> most;
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    const auto held = std::count_if(options_.tasks.begin(), options_.tasks.end(),
+                                    [&](Point task) { return HoldsTask(ground_, boundaries[i], task); });
+    const PlacementWorth worth{std::min(static_cast<std::size_t>(held), options_.tasks.size() - 1), boundaries[i].area};
+    if (most && !IsBetter(worth, at.worth)) continue;
+    most = i;
+    at.worth = worth;
+  }
+  if (!most) return std::nullopt;
+  at.boundary = std::move(boundaries[*most]);
+  return at;
+}
+
+PlacementDetails PlacementGround::DetailsOf(const Placement& placement) const {
+  if (options_.futures.empty()) return {LengthsOf(LongestCables(ground_, placement.anchors, placement.boundary)), {}};
+  std::vector<Point> points;
+  for (const Socket& anchor : placement.anchors) points.push_back(anchor.base);
+  const auto futures = Futures::Prepare(world_, points, options_.futures);
+  TAUTLINE_CHECK(futures.has_value());
+  FutureOutcomes outcomes = futures->Carry(ground_, placement.anchors, placement.boundary);
+  return {outcomes.longest_cables, std::move(outcomes)};
 }
 
 }  // namespace tautline

@@ -45,10 +45,14 @@ struct PlacementWorth {
 
 /// A placement and the best boundary there.
 struct Placement {
-  std::vector<double> positions;          ///< Along the outline, ascending, metres.
-  Anchors anchors;                        ///< The winches.
-  WorkspaceBoundary boundary;             ///< The best by the objective.
-  PlacementWorth worth;                   ///< What it is worth.
+  std::vector<double> positions;  ///< Along the outline, ascending, metres.
+  Anchors anchors;                ///< The winches.
+  WorkspaceBoundary boundary;     ///< The best by the objective.
+  PlacementWorth worth;           ///< What it is worth.
+};
+
+/// What a winch designer wants to know of a placement besides.
+struct PlacementDetails {
   std::vector<double> longest_cables;     ///< By anchor, metres; over now and all futures.
   std::optional<FutureOutcomes> futures;  ///< What becomes of the boundary; where there are futures.
 };
@@ -72,6 +76,9 @@ class PlacementGround {
   /// FindBoundaries; with futures that of Futures::Prepare, too.
   PlacementAnswer Evaluate(std::vector<double> positions) const;
 
+  /// The cables of a placement that Evaluate returned, and its futures.
+  PlacementDetails DetailsOf(const Placement& placement) const;
+
   /// Whether a worth is better than another.
   bool IsBetter(const PlacementWorth& a, const PlacementWorth& b) const;
 
@@ -94,10 +101,13 @@ class PlacementGround {
  private:
   PlacementGround(CableGround ground, OutlineWalk outline, const World& world, PlacementOptions options);
 
+  using Boundaries = std::vector<WorkspaceBoundary>;
+
   std::optional<std::size_t> FindLostTask() const;
-  std::optional<Placement> Best(const Placement& at, std::vector<WorkspaceBoundary> boundaries,
-                                const std::optional<Futures>& futures) const;
-  std::optional<Placement> HoldingMost(const Placement& at, std::vector<WorkspaceBoundary> boundaries) const;
+  std::optional<Placement> Largest(Placement at, Boundaries boundaries) const;
+  std::optional<Placement> LargestExpected(Placement at, Boundaries boundaries, const Futures& futures) const;
+  std::optional<Placement> LeastCable(Placement at, Boundaries boundaries, const Futures* futures) const;
+  std::optional<Placement> HoldingMost(Placement at, Boundaries boundaries) const;
 
   CableGround ground_;
   OutlineWalk outline_;
@@ -106,8 +116,9 @@ class PlacementGround {
   std::optional<std::size_t> lost_task_;
 };
 
-/// The length that a boundary may have when nothing else is said: that of the outline, and with a clearance four times
-/// it for each anchor, since a cable comes from its winch to the free ground twice.
+/// The length that a boundary may have when nothing else is said: a quarter more than that of the outline, since it winds
+/// around obstacles, and with a clearance four times it for each anchor, since each side has a stub at both ends. The
+/// time to find all boundaries grows quickly with the limit.
 double DefaultMaxBoundary(const OutlineWalk& outline, std::size_t anchors, double clearance);
 
 /// Whether a task is inside a boundary or on it, up to the ground's tolerance. O(n) for n corners.
