@@ -24,7 +24,8 @@ def ask(program, scene, command):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "scene.json")
         path.write_text(json.dumps(scene))
-        process = subprocess.run([program, command[0], path, *command[1:], "--json"],
+        words = 2 if command[0] == "workspace" else 1
+        process = subprocess.run([program, *command[:words], path, *command[words:], "--json"],
                                  capture_output=True, text=True, timeout=TIMEOUT_S)
     try:
         answer = json.loads(process.stdout)
@@ -58,6 +59,19 @@ def class_difference(got, want, tolerance):
         wanted = words_by_length(want["lengths"], want["words"], tolerance)
         if found != wanted:
             return f"words {found}, wanted {wanted}"
+    return None
+
+
+def motion_difference(got, want, tolerance):
+    """The first way in which a motion or a tour in a workspace differs from what is expected, or None."""
+    if got["command"] not in ("workspace move", "workspace tour"):
+        return None
+    for key in ("status", "reason", "order", "optimal"):
+        if key in want and got.get(key) != want[key]:
+            return f"{key} {got.get(key)}, wanted {want[key]}"
+    for key in ("length", "duration"):
+        if key in want and not close(got[key], want[key], tolerance):
+            return f"{key} {got[key]}, wanted {want[key]}"
     return None
 
 
@@ -115,6 +129,7 @@ def main():
         try:
             answer = ask(program, case["scene"], case["command"])
             why = difference(answer, case["expect"], case["tolerance"])
+            why = why or motion_difference(answer, case["expect"], case["tolerance"])
         except (ValueError, KeyError, subprocess.TimeoutExpired) as error:
             why = f"{type(error).__name__}: {error}"
         results.append((path.name, why))

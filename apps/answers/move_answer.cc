@@ -148,8 +148,9 @@ Expected<MoveAnswer> AnswerMove(const Scene& scene, const MoveQuestion& question
 std::string MoveCsv(const MoveAnswer& answer) {
   std::string text = "t,x,y,speed";
   for (std::size_t i = 1; i <= answer.setup.anchors.size(); ++i) {
-    for (const char* column : {"length_", "rate_", "corner_x_", "corner_y_"})
+    for (const char* column : {"length_", "rate_", "corner_x_", "corner_y_"}) {
       text += "," + (column + std::to_string(i));
+    }
   }
   text += "\n";
   const JsonValues values(answer.setup.ground.space().free_space());

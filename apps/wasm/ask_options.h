@@ -35,9 +35,9 @@ struct AskOptions {
 /// and `budget`; classes knows `from`, `to`,
 /// `max_length`, `count`, `word` and `budget`; workspace pose knows `at`; workspace
 /// move knows `from`, `to`, `speed`, `acceleration`, `winch_limit` and `dt`; workspace tour knows `from`, `to`, `round`
-/// and `rounds`. Only the members of `command` are filled in. Errors: kInvalidInput for a
+/// and `rounds`. Only the members of the command are filled in. Errors: kInvalidInput for a
 /// command that there is not, and for what is not JSON, unknown or out of range.
-[[nodiscard]] Expected<AskOptions> ReadAskOptions(const std::string& command, const std::string& text);
+[[nodiscard]] Expected<AskOptions> ReadAskOptions(const std::string& name, const std::string& text);
 
 }  // namespace tautline::wasm
 

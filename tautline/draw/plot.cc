@@ -122,8 +122,9 @@ class Plotter {
     y_ticks_ = RoundTicks(y_.low, y_.high, std::max(2, static_cast<int>(height / kTickRoomY)));
     double tick_width = kLeastTickWidth, name_width = 0;
     for (const double tick : y_ticks_) tick_width = std::max(tick_width, TickWidth(tick));
-    for (const PlotSeries& series : content_.series)
+    for (const PlotSeries& series : content_.series) {
       name_width = std::max(name_width, TextWidth(series.name, kNameSize));
+    }
     area_.low = {frame_.low.x + 22 + tick_width, frame_.low.y + kTitleHeight};
     area_.high = {frame_.high.x - std::min(name_width, kMostNameWidth) - 14, frame_.high.y - kFooter};
     x_ticks_ = RoundTicks(x_.low, x_.high, std::max(2, static_cast<int>(area_.size().x / kTickRoom)));
@@ -255,8 +256,9 @@ std::vector<double> RoundTicks(double low, double high, int count) {
   const double mantissa = step / std::pow(10, std::floor(std::log10(step) + 1e-9));
   if ((high - low) / step > 1.5 * count) step *= mantissa > 1.5 && mantissa < 2.5 ? 2.5 : 2;
   std::vector<double> ticks;
-  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k)
+  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
     ticks.push_back(k == 0 ? 0 : k * step);
+  }
   return ticks;
 }
 

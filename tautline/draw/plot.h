@@ -20,14 +20,14 @@ struct PlotSeries {
 
 /// A value of x at which something happens.
 struct PlotEvent {
-  double x = 0;           ///< Where.
-  std::string text = "";  ///< Written above, where there is room for it.
+  double x = 0;      ///< Where.
+  std::string text;  ///< Written above, where there is room for it.
 };
 
 /// A value of y that matters.
 struct PlotLevel {
-  double y = 0;           ///< Where.
-  std::string text = "";  ///< Written on it at the left.
+  double y = 0;      ///< Where.
+  std::string text;  ///< Written on it at the left.
 };
 
 /// What a plot shows.

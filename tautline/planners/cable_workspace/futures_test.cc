@@ -12,6 +12,7 @@
 
 #include "tautline/geometry/random_rings.h"
 #include "tautline/homotopy/print_point.h"
+#include "tautline/planners/cable_workspace/best.h"
 
 namespace tautline {
 namespace {
@@ -293,6 +294,30 @@ TEST_F(RoomWithThreeBlocks, WordsGrowByFactors) {
             "the side from anchor 1 to anchor 2 cannot be followed: the obstacles that move wind it around each other "
             "so often that its word grows to thousands of letters");
   EXPECT_EQ(many.lost_probability, 1);
+}
+
+// The best boundary now need not be the best one to expect.
+TEST_F(RoomWithThreeBlocks, EveryBoundaryUpToALength) {
+  const BoundaryList list = FindBoundaries(*ground_, anchors_, {.max_boundary = 60});
+  ASSERT_TRUE(list.complete);
+  ASSERT_GT(list.boundaries.size(), 3u);
+  const std::vector<Future> moves{{0.25, {}}, {0.75, {{"b", {{5, 5}, {5, 1}}}}}};
+  const auto futures = Futures::Prepare(world_, points_, moves);
+  BoundaryCarrier carrier(*futures, *ground_, anchors_);
+  std::size_t best = 0;
+  double best_area = 0;
+  for (std::size_t i = 0; i < list.boundaries.size(); ++i) {
+    const FutureOutcomes all = carrier.Carry(list.boundaries[i], {.longest_cables = false});
+    ASSERT_TRUE(all.outcomes[0].boundary.has_value());
+    EXPECT_EQ(all.outcomes[0].boundary->ring, list.boundaries[i].ring);
+    const double then = all.outcomes[1].boundary ? all.outcomes[1].boundary->area : 0;
+    EXPECT_NEAR(all.expected_area, 0.25 * list.boundaries[i].area + 0.75 * then, 1e-9);
+    if (all.expected_area <= best_area) continue;
+    best = i;
+    best_area = all.expected_area;
+  }
+  EXPECT_GT(best_area, 0);
+  EXPECT_LT(list.boundaries[best].area, list.boundaries[0].area + 1e-9);
 }
 
 /// a and b stand together now, and are one island; c stands in the wall.

@@ -16,6 +16,12 @@ namespace {
 /// Tasks named in an explanation.
 constexpr std::size_t kMostNamed = 5;
 
+/// More rounds for a task have no end.
+constexpr std::int64_t kMostRounds = 1'000'000'000;
+
+/// Rounds of the bound: its steps are long too small by then.
+constexpr int kBoundRounds = 4000;
+
 /// Shares of the work, for the watcher.
 constexpr double kDistancesDone = 0.4;
 constexpr double kBoundDone = 0.6;
@@ -120,12 +126,12 @@ Order FindOrder(const Distances& distances, const TourOptions& options, Rng& rng
   order.tasks = NearestNeighbourTour(distances.chosen);
   order.tasks = ImproveTour(distances.chosen, std::move(order.tasks), {}, rng);
   order.bound = BoundTour(distances.least, {.known_length = TourLength(distances.chosen, order.tasks),
-                                            .rounds = order.stopped ? 1 : 4000,
+                                            .rounds = order.stopped ? 1 : kBoundRounds,
                                             .keep_going = order.stopped ? KeepGoing{} : keep_going});
-  const int rounds = options.rounds_per_task * static_cast<int>(tasks);
-  int round = 0;
+  const std::int64_t rounds = std::min(options.rounds_per_task, kMostRounds) * static_cast<std::int64_t>(tasks);
+  std::int64_t round = 0;
   const KeepGoing keep_searching = [&] {
-    share = kBoundDone + (1 - kBoundDone) * ++round / rounds;
+    share = kBoundDone + (1 - kBoundDone) * static_cast<double>(++round) / static_cast<double>(rounds);
     return keep_going();
   };
   order.tasks = ImproveTour(

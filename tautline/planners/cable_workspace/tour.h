@@ -2,6 +2,7 @@
 #ifndef TAUTLINE_PLANNERS_CABLE_WORKSPACE_TOUR_H_
 #define TAUTLINE_PLANNERS_CABLE_WORKSPACE_TOUR_H_
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,9 +22,9 @@ struct TourStops {
 
 /// How hard to search.
 struct TourOptions {
-  std::size_t most_exact = 15;  ///< Up to so many tasks the tour is the shortest; at most kMostExactTasks.
-  int rounds_per_task = 500;    ///< Beyond: perturbations of the local search, for each task.
-  Watcher watch = {};           ///< Told the share that is done. At a no the search ends with what it has.
+  std::size_t most_exact = 15;         ///< Up to so many tasks the tour is the shortest; at most kMostExactTasks.
+  std::int64_t rounds_per_task = 500;  ///< Beyond: perturbations of the local search, for each task.
+  Watcher watch = {};                  ///< Told the share that is done. At a no the search ends with what it has.
 };
 
 /// A tour.

@@ -177,16 +177,16 @@ class Search {
 
   /// Exchanges two neighbouring parts without turning them: a change of three edges that the moves cannot undo alone.
   void SwapParts(Rng& rng) {
-    const int tasks = static_cast<int>(nodes_.size()) - 2;
-    const int longest = std::min(static_cast<int>(kLongestSwapped), tasks / 2);
-    const int first = rng.UniformInt(1, longest), second = rng.UniformInt(1, longest);
-    const int begin = rng.UniformInt(1, tasks - first - second + 1);
-    const auto at = [this](int i) { return nodes_.begin() + i; };
-    std::rotate(at(begin), at(begin + first), at(begin + first + second));
-    Renumber(static_cast<std::size_t>(begin), static_cast<std::size_t>(begin + first + second));
-    for (const int edge : {begin - 1, begin + second - 1, begin + first + second - 1}) {
-      EnqueueEdge(static_cast<std::size_t>(edge));
-    }
+    const std::size_t tasks = nodes_.size() - 2, longest = std::min(kLongestSwapped, tasks / 2);
+    const auto random = [&rng](std::size_t high) {
+      return static_cast<std::size_t>(rng.UniformInt(1, static_cast<int>(high)));
+    };
+    const std::size_t first = random(longest), second = random(longest), begin = random(tasks - first - second + 1);
+    const std::size_t middle = begin + first, end = middle + second;
+    const auto at = [this](std::size_t i) { return nodes_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::rotate(at(begin), at(middle), at(end));
+    Renumber(begin, end);
+    for (const std::size_t edge : {begin - 1, begin + second - 1, end - 1}) EnqueueEdge(edge);
   }
 
   const TourDistances& distances_;
@@ -220,7 +220,7 @@ std::vector<std::size_t> ImproveTour(const TourDistances& distances, std::vector
   TAUTLINE_CHECK(order.size() == distances.tasks());
   if (order.size() < 2) return order;
   Search search(distances, order);
-  for (int round = 0; round < options.rounds && search.length() > options.good_enough; ++round) {
+  for (std::int64_t round = 0; round < options.rounds && search.length() > options.good_enough; ++round) {
     if (options.keep_going && !options.keep_going()) break;
     search.Perturb(rng);
   }

@@ -2,6 +2,7 @@
 #ifndef TAUTLINE_PLANNERS_CABLE_WORKSPACE_TOUR_SEARCH_H_
 #define TAUTLINE_PLANNERS_CABLE_WORKSPACE_TOUR_SEARCH_H_
 
+#include <cstdint>
 #include <vector>
 
 #include "tautline/base/rng.h"
@@ -12,7 +13,7 @@ namespace tautline {
 
 /// When a search for a tour ends.
 struct TourSearchOptions {
-  int rounds = 0;             ///< Perturbations to try.
+  std::int64_t rounds = 0;    ///< Perturbations to try.
   double good_enough = 0;     ///< The length at which the search ends: a lower bound, metres.
   KeepGoing keep_going = {};  ///< Asked before each round; at a no the search ends.
 };
