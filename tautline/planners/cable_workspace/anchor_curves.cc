@@ -46,10 +46,10 @@ void AnchorCurves::EnterSlot(CurveId id) {
   slots_[slot] = id.value();
 }
 
-CurveId AnchorCurves::Append(Walk walk, double length, std::vector<std::uint64_t> hashes) {
-  while (powers_.size() < hashes.size()) powers_.push_back(powers_.back() * kBase);
+CurveId AnchorCurves::Append(Curve curve) {
+  while (powers_.size() < curve.hashes.size()) powers_.push_back(powers_.back() * kBase);
   const CurveId id(curves_.size());
-  curves_.push_back({std::move(walk), length, std::move(hashes)});
+  curves_.push_back(std::move(curve));
   if (2 * curves_.size() > slots_.size()) {
     slots_.assign(2 * slots_.size(), -1);
     for (std::size_t i = 0; i < curves_.size(); ++i) EnterSlot(CurveId(i));
@@ -59,16 +59,16 @@ CurveId AnchorCurves::Append(Walk walk, double length, std::vector<std::uint64_t
   return id;
 }
 
-CurveId AnchorCurves::Add(Walk walk) {
+CurveId AnchorCurves::Add(Walk walk, double refund) {
   auto hashes = HashesOf(walk);
   if (const auto known = Find(hashes.back(), [&](const Walk& other) { return SameClass(walk, other); })) return *known;
   const double length = PullTaut(ground_.space().mesh(), walk).length;
-  return Append(std::move(walk), length, std::move(hashes));
+  return Append({std::move(walk), length, refund, std::move(hashes)});
 }
 
 CurveId AnchorCurves::Reverse(CurveId id) {
   if (!curves_[id.index()].reverse.valid()) {
-    const CurveId reverse = Add(Reversed(walk(id)));
+    const CurveId reverse = Add(Reversed(walk(id)), -refund(id));
     curves_[id.index()].reverse = reverse;
     curves_[reverse.index()].reverse = id;
   }
@@ -81,7 +81,7 @@ std::optional<CurveId> AnchorCurves::AddJoined(CurveId first, CurveId second, do
   const double length = PullTaut(ground_.space().mesh(), joined).length;
   if (length > longest) return std::nullopt;
   auto hashes = HashesOf(joined);
-  return Append(std::move(joined), length, std::move(hashes));
+  return Append({std::move(joined), length, refund(first) + refund(second), std::move(hashes)});
 }
 
 std::optional<CurveId> AnchorCurves::FindJoined(CurveId first, CurveId second) const {

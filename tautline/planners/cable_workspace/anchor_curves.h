@@ -24,8 +24,9 @@ class AnchorCurves {
   /// Keeps the ground by reference.
   explicit AnchorCurves(const CableGround& ground) : ground_(ground), slots_(64, -1) {}
 
-  /// The curve of a walk from the exit of an anchor to that of another. O(triangles) expected.
-  CurveId Add(Walk walk);
+  /// The curve of a walk from the exit of an anchor to that of another, with its refund (see RayTolls), metres.
+  /// O(triangles) expected.
+  CurveId Add(Walk walk, double refund);
 
   /// The same curve from its end to its start. O(triangles) expected the first time.
   CurveId Reverse(CurveId id);
@@ -42,6 +43,11 @@ class AnchorCurves {
   /// Metres from exit to exit, without stubs.
   double length(CurveId id) const { return curves_[id.index()].length; }
 
+  /// What its length costs less, metres.
+  double refund(CurveId id) const { return curves_[id.index()].refund; }
+  /// Its length less its refund, metres.
+  double cost(CurveId id) const { return length(id) - refund(id); }
+
   /// Whether it crosses itself. Remembered.
   bool CrossesItself(CurveId id);
   /// Whether the two cross (see CablesCross). For pairs that are asked about once.
@@ -53,6 +59,7 @@ class AnchorCurves {
   struct Curve {
     Walk walk;
     double length;
+    double refund;
     std::vector<std::uint64_t> hashes;            ///< Of the first triangles of the walk, one more each time.
     std::unique_ptr<const WalkSpots> spots = {};  ///< Made when a crossing is asked for.
     std::optional<bool> crosses_itself = {};
@@ -61,7 +68,7 @@ class AnchorCurves {
 
   template <class IsSame>
   std::optional<CurveId> Find(std::uint64_t hash, IsSame is_same) const;
-  CurveId Append(Walk walk, double length, std::vector<std::uint64_t> hashes);
+  CurveId Append(Curve curve);
   void EnterSlot(CurveId id);
   const WalkSpots& SpotsOf(CurveId id);
 

@@ -8,9 +8,10 @@
 #include <utility>
 
 #include "tautline/base/check.h"
-#include "tautline/homotopy/classes.h"
 #include "tautline/planners/cable_workspace/anchor_curves.h"
 #include "tautline/planners/cable_workspace/boundary_fan.h"
+#include "tautline/planners/cable_workspace/ray_tolls.h"
+#include "tautline/planners/cable_workspace/side_classes.h"
 #include "tautline/planners/cable_workspace/side_crossing.h"
 
 namespace tautline {
@@ -19,19 +20,6 @@ namespace {
 /// The shares of the slack up to which boundaries are found, round by round. The work grows exponentially with the
 /// slack, so that the last round is most of it.
 constexpr double kRounds[] = {0.5, 0.75, 1};
-
-/// The shortest way from each anchor to the next one, metres; nothing when two are not connected.
-std::optional<std::vector<double>> ShortestSides(const CableGround& ground, const Anchors& anchors) {
-  std::vector<double> shortest;
-  for (std::size_t i = 0; i < anchors.size(); ++i) {
-    Walk start(anchors[i].exit);
-    start.rooted = true;
-    const auto path = FindShortestOnward(ground.space(), start, anchors[NextAnchor(i, anchors.size())].exit);
-    if (!path) return std::nullopt;
-    shortest.push_back(path->length);
-  }
-  return shortest;
-}
 
 bool HoldsAll(const CableGround& ground, const WorkspaceBoundary& boundary, std::span<const Point> tasks) {
   const auto holds = [&](Point task) {
@@ -84,21 +72,24 @@ class BoundarySearch {
       : ground_(ground),
         anchors_(anchors),
         options_(options),
+        on_walls_(std::all_of(anchors.begin(), anchors.end(),
+                              [&](const Socket& anchor) { return EndsOnBoundary(ground.space(), anchor.exit); })),
         curves_(ground),
         budget_(options.budget, options.keep_going) {}
 
   BoundaryList Run() {
     BoundaryList list;
-    const auto shortest = ShortestSides(ground_, anchors_);
-    if (!shortest) return {{}, true, options_.max_boundary, WorkspaceObstruction::kAnchorsUnconnected};
-    const double least = std::accumulate(shortest->begin(), shortest->end(), StubLength());
-    const double most = options_.max_boundary * (1 + kLengthTolerance);
+    if (!AreConnected()) return {{}, true, options_.max_boundary, WorkspaceObstruction::kAnchorsUnconnected};
+    const double most = options_.max_boundary * (1 + kLengthTolerance) - StubLength();
+    const TollGraph graph(ground_.space(), anchors_);
+    const RayTolls tolls = graph.Raise(most);
+    const double least = std::accumulate(tolls.cheapest.begin(), tolls.cheapest.end(), 0.0);
     try {
       for (const double share : kRounds) {
         if (least > most) break;
         const double limit = least + share * (most - least);
-        FindUpTo(limit - StubLength(), *shortest, list);
-        list.complete_length = std::min(limit, options_.max_boundary);
+        FindUpTo(limit, graph, tolls, list);
+        list.complete_length = std::min(limit + StubLength(), options_.max_boundary);
       }
       list.complete = true;
       list.complete_length = options_.max_boundary;
@@ -116,41 +107,37 @@ class BoundarySearch {
                            [](double sum, const Socket& anchor) { return sum + 2 * anchor.stub_length; });
   }
 
-  void FindUpTo(double limit, const std::vector<double>& shortest, BoundaryList& list) {
-    const double slack = limit - std::accumulate(shortest.begin(), shortest.end(), 0.0);
+  bool AreConnected() const {
+    return std::all_of(anchors_.begin(), anchors_.end(), [&](const Socket& anchor) {
+      return ground_.space().mesh().Connected(anchors_[0].exit, anchor.exit);
+    });
+  }
+
+  void FindUpTo(double limit, const TollGraph& graph, const RayTolls& tolls, BoundaryList& list) {
+    const double slack = limit - std::accumulate(tolls.cheapest.begin(), tolls.cheapest.end(), 0.0);
     std::vector<std::vector<CurveId>> sides;
     for (std::size_t i = 0; i < anchors_.size(); ++i) {
       // The way back along all other sides is at least as long as the side.
-      sides.push_back(ListSide(i, std::min(shortest[i] + slack / 2, limit / 2)));
+      sides.push_back(ListSide(i, graph, tolls,
+                               {.max_cost = tolls.cheapest[i] + slack / 2,
+                                .max_length = limit / 2,
+                                .drop_crossing = on_walls_,
+                                .budget = &budget_}));
     }
-    BoundaryFan fan(anchors_, curves_, sides, {shortest, limit, ChordsCanCross(), &budget_});
+    BoundaryFan fan(anchors_, curves_, sides, {tolls.cheapest, limit, on_walls_, &budget_});
     fan.ForEach([&](std::span<const CurveId> found) { Close(found, list); });
   }
 
-  /// Chords between corners of a valid boundary cross neither it nor each other; but what ends in the open crosses
-  /// nothing, so that sides there might cross a chord.
-  bool ChordsCanCross() const {
-    return std::all_of(anchors_.begin(), anchors_.end(),
-                       [&](const Socket& anchor) { return EndsOnBoundary(ground_.space(), anchor.exit); });
-  }
-
-  /// The classes of a side, shortest first, but those that cross themselves.
-  std::vector<CurveId> ListSide(std::size_t i, double longest) {
-    const Socket &from = anchors_[i], &to = anchors_[NextAnchor(i, anchors_.size())];
-    Walk start(from.exit);
-    start.rooted = true;
-    const ClassList list = FindClassesOnward(
-        ground_.space(), start, to.exit,
-        {.max_length = longest, .max_count = {}, .budget = budget_.left(), .keep_going = options_.keep_going});
-    if (!list.complete) throw Stopped();
+  /// The classes of a side, cheapest first, but those that cross themselves.
+  std::vector<CurveId> ListSide(std::size_t i, const TollGraph& graph, const RayTolls& tolls,
+                                const SideClassOptions& options) {
     std::vector<CurveId> side;
-    for (const TautPath& path : list.classes) {
-      budget_.Spend();
-      const CurveId curve = curves_.Add(WalkBetween(ground_, from, to, path));
+    for (const TautPath& path : ListSideClasses(ground_.space(), anchors_, i, graph, tolls, options)) {
+      const Walk walk = WalkBetween(ground_, anchors_[i], anchors_[NextAnchor(i, anchors_.size())], path);
+      const CurveId curve = curves_.Add(walk, RefundOf(ground_.space(), tolls, path.points));
       if (!curves_.CrossesItself(curve)) side.push_back(curve);
     }
-    std::stable_sort(side.begin(), side.end(),
-                     [&](CurveId a, CurveId b) { return curves_.length(a) < curves_.length(b); });
+    std::stable_sort(side.begin(), side.end(), [&](CurveId a, CurveId b) { return curves_.cost(a) < curves_.cost(b); });
     return side;
   }
 
@@ -176,6 +163,9 @@ class BoundarySearch {
   const CableGround& ground_;
   const Anchors& anchors_;
   const BestOptions& options_;
+  /// Chords between corners of a valid boundary cross neither it nor each other; but what ends in the open crosses
+  /// nothing, so that sides there might cross a chord.
+  bool on_walls_;
   AnchorCurves curves_;
   SearchBudget budget_;
   std::set<std::vector<CurveId>> found_;

@@ -31,8 +31,9 @@ struct BoundaryList {
 
 /// All valid boundaries up to a length: one taut side per anchor to the next, together closed, null-homotopic and
 /// weakly simple, with area inside. The limit is raised in steps, so that a search that ends early knows the shorter
-/// boundaries. Each step lists the classes of each side that spend up to half of the slack, which is what the limit
-/// leaves beyond the shortest sides, and joins them as BoundaryFan does. Requires two anchors at least. The number of
+/// boundaries. Sides count by their cost, length less refunds that cancel around a boundary (see RayTolls), which makes
+/// the slack small: what the limit leaves beyond the cheapest sides. Each step lists the classes of each side that
+/// spend up to half of the slack, and joins them as BoundaryFan does. Requires two anchors at least. The number of
 /// classes grows exponentially with the slack; their joins cost O(triangles) each.
 BoundaryList FindBoundaries(const CableGround& ground, const Anchors& anchors, const BestOptions& options);
 

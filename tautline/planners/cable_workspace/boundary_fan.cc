@@ -9,21 +9,17 @@ namespace tautline {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr int kStepsPerCheck = 256;
 
 }  // namespace
-
-SearchBudget::SearchBudget(std::int64_t steps, KeepGoing keep_going)
-    : left_(steps), stop_(std::move(keep_going), kStepsPerCheck) {}
 
 BoundaryFan::BoundaryFan(const Anchors& anchors, AnchorCurves& curves, const std::vector<std::vector<CurveId>>& sides,
                          const FanOptions& options)
     : curves_(curves), sides_(sides), options_(options), rest_(sides.size() + 1, 0) {
-  for (std::size_t i = sides.size(); i-- > 0;) rest_[i] = rest_[i + 1] + options_.shortest[i];
+  for (std::size_t i = sides.size(); i-- > 0;) rest_[i] = rest_[i + 1] + options_.cheapest[i];
   half_ = (options_.limit - rest_[0]) / 2;
   Walk trivial(anchors[0].exit);
   trivial.rooted = true;
-  trivial_ = curves_.Add(std::move(trivial));
+  trivial_ = curves_.Add(std::move(trivial), 0);
 }
 
 void BoundaryFan::ForEach(const std::function<void(std::span<const CurveId>)>& visit) {
@@ -60,12 +56,13 @@ void BoundaryFan::GrowForwards(std::size_t k) {
   Layer &layer = layers_[k], &next = layers_[k + 1];
   for (Node& node : layer.nodes) {
     for (const CurveId side : sides_[k]) {
-      const double used = node.before + curves_.length(side);
+      const double used = node.before + curves_.cost(side);
       if (SpentBefore(k + 1, used) > half_) break;
       options_.budget->Spend();
       if (options_.chords_can_cross && curves_.Cross(node.chord, side)) continue;
-      const auto chord = curves_.AddJoined(node.chord, side, options_.limit - used);
-      if (!chord || used + curves_.length(*chord) > options_.limit || !IsTriangle(node.chord, side, *chord)) continue;
+      const double longest = options_.limit - used - curves_.refund(node.chord) - curves_.refund(side);
+      const auto chord = curves_.AddJoined(node.chord, side, longest);
+      if (!chord || curves_.length(*chord) > longest || !IsTriangle(node.chord, side, *chord)) continue;
       const std::int32_t to = NodeOf(next, *chord);
       Node& reached = next.nodes[static_cast<std::size_t>(to)];
       reached.before = std::min(reached.before, used);
@@ -80,12 +77,13 @@ void BoundaryFan::GrowBackwards(std::size_t k) {
   for (std::size_t i = 0; i < layer.nodes.size(); ++i) {
     const CurveId from = layer.nodes[i].chord;
     for (const CurveId side : sides_[k - 1]) {
-      const double used = layer.nodes[i].after + curves_.length(side);
+      const double used = layer.nodes[i].after + curves_.cost(side);
       if (!(SpentAfter(k - 1, used) <= half_)) break;
       options_.budget->Spend();
       if (options_.chords_can_cross && curves_.Cross(from, side)) continue;
-      const auto chord = curves_.AddJoined(from, curves_.Reverse(side), options_.limit - used);
-      if (!chord || used + curves_.length(*chord) > options_.limit || !IsTriangle(from, side, *chord)) continue;
+      const double longest = options_.limit - used + curves_.refund(from) - curves_.refund(side);
+      const auto chord = curves_.AddJoined(from, curves_.Reverse(side), longest);
+      if (!chord || curves_.length(*chord) > longest || !IsTriangle(from, side, *chord)) continue;
       Node& reached = before.nodes[static_cast<std::size_t>(NodeOf(before, *chord))];
       reached.after = std::min(reached.after, used);
       AddStep(reached, side, static_cast<std::int32_t>(i));
@@ -106,7 +104,7 @@ void BoundaryFan::JoinByListed(std::size_t k) {
   for (std::size_t i = 0; i < (k == 0 ? 1 : layer.forwards); ++i) {
     Node& node = layer.nodes[i];
     for (const CurveId side : sides_[k]) {
-      const double used = node.before + curves_.length(side);
+      const double used = node.before + curves_.cost(side);
       if (used + rest_[k + 1] > options_.limit) break;
       if (k + 1 < sides_.size() && SpentBefore(k + 1, used) <= half_) continue;
       options_.budget->Spend();
@@ -124,7 +122,7 @@ void BoundaryFan::JoinByListed(std::size_t k) {
 /// Joins both parts by whatever side is between them, where that spends more than half of the slack.
 void BoundaryFan::JoinByLong(std::size_t k) {
   Layer &layer = layers_[k], &next = layers_[k + 1];
-  const double least = options_.shortest[k] + half_;
+  const double least = options_.cheapest[k] + half_;
   std::vector<std::int32_t> order;
   for (std::size_t i = 0; i < next.nodes.size(); ++i) {
     if (next.nodes[i].after < kNever) order.push_back(static_cast<std::int32_t>(i));
@@ -137,10 +135,11 @@ void BoundaryFan::JoinByLong(std::size_t k) {
       const double used = node.before + after(to);
       if (used + least > options_.limit) break;
       const CurveId chord = next.nodes[static_cast<std::size_t>(to)].chord;
-      if (used + std::fabs(curves_.length(chord) - curves_.length(node.chord)) > options_.limit) continue;
+      const double longest = options_.limit - used + curves_.refund(chord) - curves_.refund(node.chord);
+      if (std::fabs(curves_.length(chord) - curves_.length(node.chord)) > longest) continue;
       options_.budget->Spend();
-      const auto side = curves_.AddJoined(curves_.Reverse(node.chord), chord, options_.limit - used);
-      if (!side || curves_.length(*side) < least || used + curves_.length(*side) > options_.limit) continue;
+      const auto side = curves_.AddJoined(curves_.Reverse(node.chord), chord, longest);
+      if (!side || curves_.cost(*side) < least || curves_.length(*side) > longest) continue;
       if (curves_.CrossesItself(*side)) continue;
       if (options_.chords_can_cross &&
           (curves_.Cross(node.chord, chord) || curves_.Cross(node.chord, *side) || curves_.Cross(chord, *side))) {
@@ -151,16 +150,16 @@ void BoundaryFan::JoinByLong(std::size_t k) {
   }
 }
 
-/// Gives the chords to anchor k the length of their best rest, from the next layer; the best step comes first.
+/// Gives the chords to anchor k the cost of their best rest, from the next layer; the best step comes first.
 void BoundaryFan::SortSteps(std::size_t k) {
   for (Node& node : layers_[k].nodes) {
     node.after = kNever;
     for (Step& step : node.steps) {
-      step.length = curves_.length(step.side) + layers_[k + 1].nodes[static_cast<std::size_t>(step.to)].after;
-      node.after = std::min(node.after, step.length);
+      step.cost = curves_.cost(step.side) + layers_[k + 1].nodes[static_cast<std::size_t>(step.to)].after;
+      node.after = std::min(node.after, step.cost);
     }
     std::stable_sort(node.steps.begin(), node.steps.end(),
-                     [](const Step& a, const Step& b) { return a.length < b.length; });
+                     [](const Step& a, const Step& b) { return a.cost < b.cost; });
   }
 }
 
@@ -181,12 +180,12 @@ void BoundaryFan::Descend(std::size_t k, const Node& node, double used) {
   }
   const std::size_t before = drawn_.size();
   for (const Step& step : node.steps) {
-    if (used + step.length > options_.limit) break;
+    if (used + step.cost > options_.limit) break;
     options_.budget->Spend();
     const Node& next = layers_[k + 1].nodes[static_cast<std::size_t>(step.to)];
     if (Push(step.side) && (!options_.chords_can_cross || Push(next.chord))) {
       chosen_.push_back(step.side);
-      Descend(k + 1, next, used + curves_.length(step.side));
+      Descend(k + 1, next, used + curves_.cost(step.side));
       chosen_.pop_back();
     }
     drawn_.resize(before);

@@ -7,36 +7,16 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
-#include "tautline/base/stop.h"
 #include "tautline/planners/cable_workspace/anchor_curves.h"
+#include "tautline/planners/cable_workspace/search_budget.h"
 
 namespace tautline {
 
-/// What a search may still spend.
-class SearchBudget {
- public:
-  /// `steps` in all; `keep_going` is asked now and then.
-  SearchBudget(std::int64_t steps, KeepGoing keep_going);
-
-  /// Counts a step. Throws Stopped at the end.
-  void Spend() {
-    if (left_-- <= 0) throw Stopped();
-    stop_.Step();
-  }
-  /// Steps that are left.
-  std::int64_t left() const { return left_; }
-
- private:
-  std::int64_t left_;
-  StopCheck stop_;
-};
-
 /// What bounds the fans.
 struct FanOptions {
-  std::vector<double> shortest;    ///< By side: no curve is shorter, metres.
+  std::vector<double> cheapest;    ///< By side: no curve costs less, metres.
   double limit = 0;                ///< Of all sides together, metres.
   bool chords_can_cross = false;   ///< Fans in which a chord crosses a side or a chord are left out.
   SearchBudget* budget = nullptr;  ///< Spends a step for each triangle looked at.
@@ -46,18 +26,19 @@ struct FanOptions {
 /// a closed boundary is a path through a graph: its nodes are chords, in layers by k, its edges are sides, and it leads
 /// from the trivial chord to the trivial chord.
 ///
-/// What the limit leaves beyond the shortest sides is the slack; each side spends some of it. Along a closed boundary,
-/// the first side with which more than half of the slack is spent has at most half of it spent before, and less than
-/// half after it. So chords are grown from both ends with half of the slack, and joined by one side, which is listed
-/// when it spends up to half alone, and otherwise is what closes the gap. Sides are never listed farther than that: the
-/// number of classes grows exponentially with the slack. Chords are left out when the sides spent, and the longer of
-/// the chord and the shortest sides that are missing, exceed the limit.
+/// Sides count by their cost, which is their length less a refund (see RayTolls): around a closed boundary the refunds
+/// cancel. What the limit leaves beyond the cheapest sides is the slack; each side spends some of it. Along a closed
+/// boundary, the first side with which more than half of the slack is spent has at most half of it spent before, and
+/// less than half after it. So chords are grown from both ends with half of the slack, and joined by one side, which is
+/// listed when it spends up to half alone, and otherwise is what closes the gap. Sides are never listed farther than
+/// that: the number of classes grows exponentially with the slack. Chords are left out when they and the sides that
+/// they stand for are together longer than the limit.
 ///
-/// Then every chord knows the exact length of its best rest, and only what can be closed is walked.
+/// Then every chord knows the exact cost of its best rest, and only what can be closed is walked.
 class BoundaryFan {
  public:
-  /// `sides`: the classes of each side that spend up to half of the slack, shortest first, none of which crosses
-  /// itself. The anchors' exits come with the walks.
+  /// `sides`: the classes of each side that spend up to half of the slack, cheapest first, none of which crosses
+  /// itself.
   BoundaryFan(const Anchors& anchors, AnchorCurves& curves, const std::vector<std::vector<CurveId>>& sides,
               const FanOptions& options);
 
@@ -70,11 +51,11 @@ class BoundaryFan {
   struct Step {
     CurveId side;
     std::int32_t to;
-    double length;  ///< Of the side and of the best rest from there.
+    double cost;  ///< Of the side and of the best rest from there.
   };
   struct Node {
     CurveId chord;
-    double before;            ///< The least length of sides from the first anchor to here, metres.
+    double before;            ///< The least cost of sides from the first anchor to here, metres.
     double after;             ///< And from here back to it.
     std::vector<Step> steps;  ///< To the next layer.
   };
@@ -85,8 +66,8 @@ class BoundaryFan {
     std::size_t forwards = 0;                                ///< So many nodes, the first ones, were grown forwards.
   };
 
-  double SpentBefore(std::size_t k, double length) const { return length - (rest_[0] - rest_[k]); }
-  double SpentAfter(std::size_t k, double length) const { return length - rest_[k]; }
+  double SpentBefore(std::size_t k, double cost) const { return cost - (rest_[0] - rest_[k]); }
+  double SpentAfter(std::size_t k, double cost) const { return cost - rest_[k]; }
   void GrowForwards(std::size_t k);
   void GrowBackwards(std::size_t k);
   void JoinByListed(std::size_t k);
@@ -103,7 +84,7 @@ class BoundaryFan {
   FanOptions options_;
   CurveId trivial_;
   double half_ = 0;            ///< Of the slack, metres.
-  std::vector<double> rest_;   ///< By anchor: the shortest sides from it on, metres.
+  std::vector<double> rest_;   ///< By anchor: the cheapest sides from it on, metres.
   std::vector<Layer> layers_;  ///< By anchor, from the first one until it comes again.
   std::vector<CurveId> drawn_;
   std::vector<CurveId> chosen_;

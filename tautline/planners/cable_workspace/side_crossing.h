@@ -26,8 +26,8 @@ class WalkSpots {
   std::vector<TriangleId> triangles_;
   std::vector<std::pair<TriangleId, std::uint32_t>> places_;  ///< In the walk, sorted by triangle.
   std::vector<std::uint8_t> spots_;  ///< Of the entry and the exit of each triangle; 255 where that is unknown.
-  double first_along_ = 0;          ///< Of the spot where the walk starts.
-  double last_along_ = 0;           ///< And where it ends.
+  double first_along_ = 0;           ///< Of the spot where the walk starts.
+  double last_along_ = 0;            ///< And where it ends.
 };
 
 /// As below. O(n) for n triangles that are not shared, and O(shared) per shared run.
