@@ -14,8 +14,8 @@ void AddPlacement(const PlaceSearch& search, const PlaceResult& result, Json& js
   const JsonValues values(search.ground.ground().space().free_space());
   json["anchors"] = Json::array();
   for (const Socket& anchor : placement.anchors) json["anchors"].push_back(values.Of(anchor.base));
-  if (search.ground.HoldsAll(placement.worth)) json["value"] = placement.worth.value;
-  json["tasks_held"] = placement.worth.tasks_held;
+  if (placement.worth.holds_all()) json["value"] = placement.worth.value;
+  json["tasks_held"] = result.details.tasks_held;
   json["area"] = placement.boundary.area;
   if (result.details.futures) {
     json["expected_area"] = result.details.futures->expected_area;

@@ -42,7 +42,7 @@ PlaceQuestion QuestionOf(const Json& json) {
 Json ToJson(const PlaceJob& job) {
   Json gains = Json::array();
   for (const PlaceGain& gain : job.gains) {
-    gains.push_back(Json::array({gain.evaluation, gain.worth.tasks_held, gain.worth.value}));
+    gains.push_back(Json::array({gain.evaluation, gain.worth.outside, gain.worth.value}));
   }
   return {{"job", job.job},
           {"start", job.start},
@@ -58,7 +58,7 @@ PlaceJob JobOf(const Json& json) {
   job.start = json.at("start").get<std::vector<double>>();
   job.positions = json.at("positions").get<std::vector<double>>();
   for (const Json& gain : json.at("gains")) {
-    job.gains.push_back({gain.at(0).get<std::int64_t>(), {gain.at(1).get<std::size_t>(), gain.at(2).get<double>()}});
+    job.gains.push_back({gain.at(0).get<std::int64_t>(), {gain.at(1).get<double>(), gain.at(2).get<double>()}});
   }
   job.evaluations = json.at("evaluations").get<std::int64_t>();
   job.incomplete = json.at("incomplete").get<std::int64_t>();
@@ -103,7 +103,7 @@ bool Fits(const PlaceSearch& search, const PlaceJob& job) {
   if (!job.positions.empty() && !Fits(search, job.positions)) return false;
   std::int64_t last = 0;
   for (const PlaceGain& gain : job.gains) {
-    if (gain.evaluation <= last || gain.worth.tasks_held > search.ground.options().tasks.size()) return false;
+    if (gain.evaluation <= last || gain.worth.outside < 0) return false;
     last = gain.evaluation;
   }
   return last <= job.evaluations && job.evaluations <= search.question.evaluations && job.incomplete >= 0 &&

@@ -35,7 +35,7 @@ void ExplainNothing(const PlacementGround& ground, PlaceResult& result) {
   }
   result.explanation = "no boundary of up to " + Metres(ground.max_boundary()) + " holds all " +
                        std::to_string(ground.options().tasks.size()) + " tasks" + tried + "; the best one holds " +
-                       std::to_string(result.placement->worth.tasks_held);
+                       std::to_string(result.details.tasks_held);
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ Expected<PlaceResult> JoinPlaceJobs(const PlacementGround& ground, std::vector<P
       if (best && !ground.IsBetter(gain.worth, *best)) continue;
       best = gain.worth;
       best_job = &job;
-      if (!ground.HoldsAll(gain.worth)) continue;
+      if (!gain.worth.holds_all()) continue;
       result.history.push_back({job.job, result.evaluations + gain.evaluation, gain.worth.value});
     }
     result.starts.push_back(job.start);
@@ -68,7 +68,7 @@ Expected<PlaceResult> JoinPlaceJobs(const PlacementGround& ground, std::vector<P
     }
     result.details = ground.DetailsOf(*result.placement);
   }
-  if (best && ground.HoldsAll(*best)) {
+  if (best && best->holds_all()) {
     result.status = PlaceStatus::kSolved;
   } else if (const auto lost = ground.lost_task()) {
     ExplainLostTask(ground, *lost, result);

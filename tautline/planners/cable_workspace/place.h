@@ -33,7 +33,7 @@ struct PlaceResult {
   PlaceStatus status = PlaceStatus::kBudgetExceeded;
   WorkspaceObstruction obstruction = WorkspaceObstruction::kNone;  ///< Unless solved.
   std::string explanation;                                         ///< Unless solved: one sentence.
-  std::optional<Placement> placement;       ///< The best; unless solved, the one that holds the most tasks, if any.
+  std::optional<Placement> placement;       ///< The best; unless solved, the one nearest to holding all tasks, if any.
   PlacementDetails details;                 ///< Of the placement, if any.
   std::vector<std::vector<double>> starts;  ///< The positions from which the jobs searched, by job.
   std::vector<PlaceRecord> history;         ///< Placements that hold all tasks, each better than the one before.

@@ -89,7 +89,8 @@ class PatternSearch {
     std::iota(order.begin(), order.end(), std::size_t{0});
     Shuffle(order, rng_);
     for (const std::size_t i : order) gained = MoveOne(i, step) || gained;
-    gained = MoveAll(step) || gained;
+    if (gained) return true;
+    for (std::size_t i = 0; i < here_.size(); ++i) gained = MoveAll(step) || gained;
     if (gained || !corners) return gained;
     for (const std::size_t i : order) gained = MoveToCorner(i) || gained;
     return gained;
@@ -142,8 +143,10 @@ class PatternSearch {
     if (found_.gains.empty()) return true;
     const PlacementWorth& best = found_.gains.back().worth;
     if (!ground_.IsBetter(worth, best)) return false;
-    return worth.tasks_held != best.tasks_held ||
-           std::fabs(worth.value - best.value) > kLeastGain * std::fabs(best.value);
+    if (worth.holds_all() != best.holds_all()) return true;
+    const double before = best.holds_all() ? best.value : best.outside;
+    const double after = best.holds_all() ? worth.value : worth.outside;
+    return std::fabs(after - before) > kLeastGain * before;
   }
 
   const PlacementGround& ground_;

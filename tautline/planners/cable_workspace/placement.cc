@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -18,6 +20,12 @@ constexpr double kLimitPerStub = 4;
 
 std::optional<std::size_t> ComponentOfTasks(const FreeSpace& space, std::span<const Point> tasks) {
   return tasks.empty() ? std::nullopt : ComponentOf(space, tasks[0], BoundaryTolerance(space));
+}
+
+/// Positions are to mean the same whichever corner the free space starts with.
+Ring FromFirstCorner(Ring ring) {
+  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+  return ring;
 }
 
 /// What no cable can undercut: each anchor's cable reaches its neighbours.
@@ -63,14 +71,15 @@ double DefaultMaxBoundary(const OutlineWalk& outline, std::size_t anchors, doubl
   return kLimitPerOutline * outline.length() + kLimitPerStub * clearance * static_cast<double>(anchors);
 }
 
-bool HoldsTask(const CableGround& ground, const WorkspaceBoundary& boundary, Point task) {
+double DistanceToTask(const CableGround& ground, const WorkspaceBoundary& boundary, Point task) {
   const Winding winding = WindingNumber(boundary.ring, task);
-  if (winding.number != 0 || winding.on_boundary) return true;
+  if (winding.number != 0 || winding.on_boundary) return 0;
+  double distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < boundary.ring.size(); ++i) {
     const Point from = boundary.ring[i], to = boundary.ring[(i + 1) % boundary.ring.size()];
-    if (DistanceToSegment(task, from, to) <= ground.space().tolerance()) return true;
+    distance = std::min(distance, DistanceToSegment(task, from, to));
   }
-  return false;
+  return distance <= ground.space().tolerance() ? 0 : distance;
 }
 
 Expected<PlacementGround> PlacementGround::Prepare(const World& world, const PlacementOptions& options,
@@ -84,8 +93,8 @@ Expected<PlacementGround> PlacementGround::Prepare(const World& world, const Pla
     if (!futures) return tl::unexpected(futures.error());
   }
   const FreeSpace& space = ground->ungrown_space();
-  const std::size_t component = ComponentOfTasks(space, options.tasks).value_or(0);
-  OutlineWalk outline(space.components[component].outer.points);
+  OutlineWalk outline(
+      FromFirstCorner(space.components[ComponentOfTasks(space, options.tasks).value_or(0)].outer.points));
   return PlacementGround(*std::move(ground), std::move(outline), world, options);
 }
 
@@ -108,8 +117,8 @@ std::optional<std::size_t> PlacementGround::FindLostTask() const {
 }
 
 bool PlacementGround::IsBetter(const PlacementWorth& a, const PlacementWorth& b) const {
-  if (a.tasks_held != b.tasks_held) return a.tasks_held > b.tasks_held;
-  const bool least = options_.objective == PlaceObjective::kCable && HoldsAll(a);
+  if (a.outside != b.outside) return a.outside < b.outside;
+  const bool least = options_.objective == PlaceObjective::kCable && a.holds_all();
   return least ? a.value < b.value : a.value > b.value;
 }
 
@@ -128,27 +137,38 @@ PlacementAnswer PlacementGround::Evaluate(std::vector<double> positions) const {
     futures = *std::move(prepared);
   }
   const Placement at{.positions = std::move(positions), .anchors = *std::move(anchors)};
-  BestOptions search{.max_boundary = max_boundary(), .tasks = options_.tasks, .budget = options_.budget};
-  BoundaryList list = FindBoundaries(ground_, at.anchors, search);
+  BoundaryList list = FindBoundaries(ground_, at.anchors, {.max_boundary = max_boundary(), .budget = options_.budget});
   PlacementAnswer answer{.placement = {}, .complete = list.complete};
+  Boundaries holding = TakeHolding(list.boundaries);
   if (options_.objective == PlaceObjective::kCable) {
-    answer.placement = LeastCable(at, std::move(list.boundaries), futures ? &*futures : nullptr);
+    answer.placement = LeastCable(at, std::move(holding), futures ? &*futures : nullptr);
   } else if (futures) {
-    answer.placement = LargestExpected(at, std::move(list.boundaries), *futures);
+    answer.placement = LargestExpected(at, std::move(holding), *futures);
   } else {
-    answer.placement = Largest(at, std::move(list.boundaries));
+    answer.placement = Largest(at, std::move(holding));
   }
-  if (answer.placement || options_.tasks.empty()) return answer;
-  search.tasks.clear();
-  list = FindBoundaries(ground_, at.anchors, search);
-  answer.complete = answer.complete && list.complete;
-  answer.placement = HoldingMost(at, std::move(list.boundaries));
+  if (!answer.placement) answer.placement = Nearest(at, std::move(list.boundaries));
   return answer;
+}
+
+double PlacementGround::Outside(const WorkspaceBoundary& boundary) const {
+  double sum = 0;
+  for (const Point task : options_.tasks) sum += DistanceToTask(ground_, boundary, task);
+  return sum;
+}
+
+/// Takes out the boundaries that hold all tasks; the others stay. Both keep their order.
+PlacementGround::Boundaries PlacementGround::TakeHolding(Boundaries& boundaries) const {
+  const auto outside = std::stable_partition(boundaries.begin(), boundaries.end(),
+                                             [this](const WorkspaceBoundary& b) { return Outside(b) == 0; });
+  Boundaries holding(std::make_move_iterator(boundaries.begin()), std::make_move_iterator(outside));
+  boundaries.erase(boundaries.begin(), outside);
+  return holding;
 }
 
 std::optional<Placement> PlacementGround::Largest(Placement at, Boundaries boundaries) const {
   if (boundaries.empty()) return std::nullopt;
-  at.worth = {options_.tasks.size(), boundaries[0].area};
+  at.worth = {0, boundaries[0].area};
   at.boundary = std::move(boundaries[0]);
   return at;
 }
@@ -161,7 +181,7 @@ std::optional<Placement> PlacementGround::LargestExpected(Placement at, Boundari
     const double expected = carrier.Carry(boundaries[i], {.longest_cables = false}).expected_area;
     if (best && expected <= at.worth.value) continue;
     best = i;
-    at.worth = {options_.tasks.size(), expected};
+    at.worth = {0, expected};
   }
   if (!best) return std::nullopt;
   at.boundary = std::move(boundaries[*best]);
@@ -186,38 +206,43 @@ std::optional<Placement> PlacementGround::LeastCable(Placement at, Boundaries bo
     }
     if (best && cable >= at.worth.value) continue;
     best = i;
-    at.worth = {options_.tasks.size(), cable};
+    at.worth = {0, cable};
   }
   if (!best) return std::nullopt;
   at.boundary = std::move(boundaries[*best]);
   return at;
 }
 
-/// The largest of the boundaries that hold the most tasks. One that holds all of them counts as if one were missing: it
-/// is lost in a future, or FindBoundaries would have named it.
-std::optional<Placement> PlacementGround::HoldingMost(Placement at, Boundaries boundaries) const {
-  std::optional<std::size_t> most;
+/// Of boundaries that do not hold all tasks.
+std::optional<Placement> PlacementGround::Nearest(Placement at, Boundaries boundaries) const {
+  std::optional<std::size_t> nearest;
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
-    const auto held = std::count_if(options_.tasks.begin(), options_.tasks.end(),
-                                    [&](Point task) { return HoldsTask(ground_, boundaries[i], task); });
-    const PlacementWorth worth{std::min(static_cast<std::size_t>(held), options_.tasks.size() - 1), boundaries[i].area};
-    if (most && !IsBetter(worth, at.worth)) continue;
-    most = i;
+    const PlacementWorth worth{Outside(boundaries[i]), boundaries[i].area};
+    if (nearest && !IsBetter(worth, at.worth)) continue;
+    nearest = i;
     at.worth = worth;
   }
-  if (!most) return std::nullopt;
-  at.boundary = std::move(boundaries[*most]);
+  if (!nearest) return std::nullopt;
+  at.boundary = std::move(boundaries[*nearest]);
   return at;
 }
 
 PlacementDetails PlacementGround::DetailsOf(const Placement& placement) const {
-  if (options_.futures.empty()) return {LengthsOf(LongestCables(ground_, placement.anchors, placement.boundary)), {}};
+  PlacementDetails details;
+  for (const Point task : options_.tasks) {
+    if (DistanceToTask(ground_, placement.boundary, task) == 0) ++details.tasks_held;
+  }
+  if (options_.futures.empty()) {
+    details.longest_cables = LengthsOf(LongestCables(ground_, placement.anchors, placement.boundary));
+    return details;
+  }
   std::vector<Point> points;
   for (const Socket& anchor : placement.anchors) points.push_back(anchor.base);
   const auto futures = Futures::Prepare(world_, points, options_.futures);
   TAUTLINE_CHECK(futures.has_value());
-  FutureOutcomes outcomes = futures->Carry(ground_, placement.anchors, placement.boundary);
-  return {outcomes.longest_cables, std::move(outcomes)};
+  details.futures = futures->Carry(ground_, placement.anchors, placement.boundary);
+  details.longest_cables = details.futures->longest_cables;
+  return details;
 }
 
 }  // namespace tautline

@@ -32,13 +32,14 @@ struct PlacementOptions {
   std::int64_t budget = 20'000;      ///< Of the search for boundaries, as in BestOptions.
 };
 
-/// How good a placement is. The placement that holds more tasks is better; of two that hold all of them, it is the
-/// one with the better value, and of two that do not, the one with the larger area: that leads a search to where all
-/// are held.
+/// How good a placement is. Less outside is better, since it leads a search to where all tasks are held; there the
+/// better value counts.
 struct PlacementWorth {
-  std::size_t tasks_held = 0;  ///< By the boundary that counts.
-  double value = 0;            ///< Square metres, or metres of cable: by the objective where all tasks are held.
+  double outside = 0;  ///< The sum of the distances of tasks from the workspace, metres; 0 where all are held.
+  double value = 0;    ///< By the objective, square metres or metres of cable; the area where not all tasks are held.
 
+  /// Whether all tasks are held.
+  bool holds_all() const { return outside == 0; }
   /// Whether both are equal to the bit.
   friend bool operator==(const PlacementWorth&, const PlacementWorth&) = default;
 };
@@ -53,6 +54,7 @@ struct Placement {
 
 /// What a winch designer wants to know of a placement besides.
 struct PlacementDetails {
+  std::size_t tasks_held = 0;             ///< How many tasks the boundary holds.
   std::vector<double> longest_cables;     ///< By anchor, metres; over now and all futures.
   std::optional<FutureOutcomes> futures;  ///< What becomes of the boundary; where there are futures.
 };
@@ -82,16 +84,13 @@ class PlacementGround {
   /// Whether a worth is better than another.
   bool IsBetter(const PlacementWorth& a, const PlacementWorth& b) const;
 
-  /// Whether all tasks are held.
-  bool HoldsAll(const PlacementWorth& worth) const { return worth.tasks_held == options_.tasks.size(); }
-
   /// A task that no workspace can hold, since it lies on blocked ground or is cut off from the others.
   std::optional<std::size_t> lost_task() const { return lost_task_; }
 
   /// The ground.
   const CableGround& ground() const { return ground_; }
   /// What winches stand on: the boundary around the free ground, without clearance, that holds the tasks, or else the
-  /// largest.
+  /// largest; counter-clockwise from its leftmost corner, of several the lowest.
   const OutlineWalk& outline() const { return outline_; }
   /// What was asked, with the default filled in.
   const PlacementOptions& options() const { return options_; }
@@ -104,10 +103,12 @@ class PlacementGround {
   using Boundaries = std::vector<WorkspaceBoundary>;
 
   std::optional<std::size_t> FindLostTask() const;
+  double Outside(const WorkspaceBoundary& boundary) const;
+  Boundaries TakeHolding(Boundaries& boundaries) const;
   std::optional<Placement> Largest(Placement at, Boundaries boundaries) const;
   std::optional<Placement> LargestExpected(Placement at, Boundaries boundaries, const Futures& futures) const;
   std::optional<Placement> LeastCable(Placement at, Boundaries boundaries, const Futures* futures) const;
-  std::optional<Placement> HoldingMost(Placement at, Boundaries boundaries) const;
+  std::optional<Placement> Nearest(Placement at, Boundaries boundaries) const;
 
   CableGround ground_;
   OutlineWalk outline_;
@@ -116,13 +117,14 @@ class PlacementGround {
   std::optional<std::size_t> lost_task_;
 };
 
-/// The length that a boundary may have when nothing else is said: a quarter more than that of the outline, since it winds
-/// around obstacles, and with a clearance four times it for each anchor, since each side has a stub at both ends. The
-/// time to find all boundaries grows quickly with the limit.
+/// The length that a boundary may have when nothing else is said: a quarter more than that of the outline, since it
+/// winds around obstacles, and with a clearance four times it for each anchor, since each side has a stub at both ends.
+/// The time to find all boundaries grows quickly with the limit.
 double DefaultMaxBoundary(const OutlineWalk& outline, std::size_t anchors, double clearance);
 
-/// Whether a task is inside a boundary or on it, up to the ground's tolerance. O(n) for n corners.
-bool HoldsTask(const CableGround& ground, const WorkspaceBoundary& boundary, Point task);
+/// How far a task is from a workspace, metres; 0 where it is inside or on the boundary, up to the ground's tolerance.
+/// O(n) for n corners.
+double DistanceToTask(const CableGround& ground, const WorkspaceBoundary& boundary, Point task);
 
 }  // namespace tautline
 
