@@ -36,6 +36,22 @@ Point OutlineWalk::At(double position) const {
   return share >= 1 ? to : from + share * (to - from);
 }
 
+std::optional<double> OutlineWalk::Beyond(Point from, Point through) const {
+  const Point ahead = through - from;
+  std::optional<double> position;
+  double nearest = 0;
+  for (std::size_t i = 0; i < ring_.size(); ++i) {
+    const Point edge = ring_[(i + 1) % ring_.size()] - ring_[i], to_edge = ring_[i] - through;
+    const double turn = Cross(ahead, edge);
+    if (turn == 0) continue;
+    const double beyond = Cross(to_edge, edge) / turn, along = Cross(to_edge, ahead) / turn;
+    if (!(beyond > 0 && along >= 0 && along <= 1) || (position && beyond >= nearest)) continue;
+    nearest = beyond;
+    position = Wrapped(starts_[i] + along * (starts_[i + 1] - starts_[i]));
+  }
+  return position;
+}
+
 double OutlineWalk::NextCorner(double position) const {
   const auto next = std::upper_bound(corners().begin(), corners().end(), position);
   return next == corners().end() ? 0 : *next;

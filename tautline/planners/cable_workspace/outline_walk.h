@@ -2,6 +2,7 @@
 #ifndef TAUTLINE_PLANNERS_CABLE_WORKSPACE_OUTLINE_WALK_H_
 #define TAUTLINE_PLANNERS_CABLE_WORKSPACE_OUTLINE_WALK_H_
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,10 @@ class OutlineWalk {
 
   /// The point at a position of 0 up to the length; at the position of a corner exactly the corner. O(log n).
   Point At(double position) const;
+
+  /// The position at which the line from one point through another first meets the ring beyond the latter; nothing
+  /// where it does not. For choosing places, not for deciding anything: it is rounded. O(n).
+  std::optional<double> Beyond(Point from, Point through) const;
 
   /// The first corner after a position, wrapped. Requires a wrapped position. O(log n).
   double NextCorner(double position) const;

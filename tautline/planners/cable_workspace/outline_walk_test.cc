@@ -42,6 +42,17 @@ TEST(OutlineWalk, FindsTheCornersAround) {
   EXPECT_EQ(walk.PreviousCorner(13), 11);
 }
 
+TEST(OutlineWalk, FindsWhereALineMeetsTheRingFirstBeyondAPoint) {
+  // A notch from above: the line through it meets the ring four times.
+  const OutlineWalk walk({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}});
+  EXPECT_EQ(walk.At(walk.Beyond({0, 3}, {1, 3}).value()), (Point{2, 3}));
+  EXPECT_EQ(walk.At(walk.Beyond({0, 3}, {5, 3}).value()), (Point{6, 3}));
+  EXPECT_EQ(walk.At(walk.Beyond({6, 3}, {5, 3}).value()), (Point{4, 3}));
+  EXPECT_EQ(walk.At(walk.Beyond({0, 0}, {3, 1}).value()), (Point{6, 2}));
+  EXPECT_FALSE(walk.Beyond({0, 3}, {7, 3}));
+  EXPECT_FALSE(walk.Beyond({1, 1}, {1, 1}));
+}
+
 /// By definition: edge after edge until the rest is on one.
 Point SlowAt(const Ring& ring, double position) {
   for (std::size_t i = 0;; i = (i + 1) % ring.size()) {

@@ -42,7 +42,9 @@ std::vector<double> DrawStart(const PlacementGround& ground, std::size_t job, Rn
   if (job % 2 == 1) {
     std::vector<double> corners(outline.corners().begin(), outline.corners().end());
     Shuffle(corners, rng);
-    positions.assign(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(std::min(n, corners.size())));
+    const int most = static_cast<int>(std::min(n, corners.size()));
+    corners.resize(static_cast<std::size_t>(job == 1 ? most : rng.UniformInt(1, most)));
+    positions = std::move(corners);
   }
   while (positions.size() < n) positions.push_back(rng.Uniform(0, outline.length()));
   std::sort(positions.begin(), positions.end());
@@ -53,9 +55,10 @@ std::vector<double> DrawStart(const PlacementGround& ground, std::size_t job, Rn
 class PatternSearch {
  public:
   PatternSearch(const PlacementGround& ground, const PlaceJobOptions& options, std::size_t job)
-      : ground_(ground), options_(options), rng_(RngOf(options.seed, job)) {
+      : ground_(ground), options_(options), rng_(RngOf(options.seed, job)), tasks_(ground.options().tasks) {
     found_.job = job;
     found_.start = DrawStart(ground, job, rng_);
+    for (const Corner& corner : ground.ground().space().corners().all()) bends_.push_back(corner.point);
   }
 
   /// False when it was stopped.
@@ -64,15 +67,11 @@ class PatternSearch {
     Try(here_);
     const double length = ground_.outline().length();
     double step = length / static_cast<double>(2 * ground_.options().anchors);
-    bool corners = true;
+    // Moves that do not depend on the step are tried once at each placement.
+    bool first = true;
     while (GoesOn() && step > kFinestStep * length) {
-      if (Poll(step, corners)) {
-        corners = true;
-      } else {
-        // The corners next to an unchanged placement were looked at.
-        corners = false;
-        step /= 2;
-      }
+      first = Poll(step, first);
+      if (!first) step /= 2;
     }
     return !stopped_;
   }
@@ -82,18 +81,20 @@ class PatternSearch {
  private:
   bool GoesOn() const { return !stopped_ && found_.evaluations < options_.evaluations; }
 
-  /// Whether any move of this size, or to a corner, was better.
-  bool Poll(double step, bool corners) {
+  /// Whether any move of this size was better, or, the first time at a placement, any to a corner or about a pivot.
+  bool Poll(double step, bool first) {
     bool gained = false;
     std::vector<std::size_t> order(here_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     Shuffle(order, rng_);
     for (const std::size_t i : order) gained = MoveOne(i, step) || gained;
     if (gained) return true;
-    for (std::size_t i = 0; i < here_.size(); ++i) gained = MoveAll(step) || gained;
-    if (gained || !corners) return gained;
-    for (const std::size_t i : order) gained = MoveToCorner(i) || gained;
-    return gained;
+    if (first) {
+      for (const std::size_t i : order) gained = MoveToCorner(i) || gained;
+      for (const std::size_t i : order) gained = Pivot(i, 0) || gained;
+    }
+    for (const std::size_t i : order) gained = Pivot(i, step) || Pivot(i, -step) || gained;
+    return MoveAll(step) || gained;
   }
 
   bool MoveOne(std::size_t i, double step) {
@@ -104,6 +105,29 @@ class PatternSearch {
   bool MoveToCorner(std::size_t i) {
     const OutlineWalk& outline = ground_.outline();
     return TryAt(i, outline.NextCorner(here_[i])) || TryAt(i, outline.PreviousCorner(here_[i]));
+  }
+
+  /// Moves an anchor, and with it a neighbour, so that the line between the two turns about what lies nearest to it: a
+  /// task that it must not leave outside, or a corner that the cable touches. No move of one anchor alone can do so.
+  bool Pivot(std::size_t i, double step) {
+    const std::size_t n = here_.size();
+    const OutlineWalk& outline = ground_.outline();
+    for (const std::size_t k : {NextAnchor(i, n), (i + n - 1) % n}) {
+      const Point from = outline.At(here_[i]), to = outline.At(here_[k]);
+      for (const std::vector<Point>* pivots : {&tasks_, &bends_}) {
+        if (pivots->empty()) continue;
+        const Point pivot = *std::min_element(pivots->begin(), pivots->end(), [&](Point a, Point b) {
+          return DistanceToSegment(a, from, to) < DistanceToSegment(b, from, to);
+        });
+        std::vector<double> positions = here_;
+        positions[i] = outline.Wrapped(here_[i] + step);
+        const auto turned = outline.Beyond(outline.At(positions[i]), pivot);
+        if (!turned) continue;
+        positions[k] = *turned;
+        if (Try(std::move(positions))) return true;
+      }
+    }
+    return false;
   }
 
   bool MoveAll(double step) {
@@ -153,6 +177,8 @@ class PatternSearch {
   const PlaceJobOptions& options_;
   Rng rng_;
   PlaceJob found_;
+  std::vector<Point> tasks_;
+  std::vector<Point> bends_;  ///< Where cables can bend.
   std::vector<double> here_;  ///< The best so far; the start while nothing is valid.
   bool stopped_ = false;
 };

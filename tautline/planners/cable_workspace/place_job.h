@@ -40,13 +40,14 @@ struct PlaceJob {
   friend bool operator==(const PlaceJob&, const PlaceJob&) = default;
 };
 
-/// The positions that a job begins with: job 0 spreads the anchors evenly, every odd job stands them on corners that
-/// it draws (at a corner of its own each, as far as they go), every other draws them anywhere on the outline.
+/// The positions that a job begins with: job 0 spreads the anchors evenly, job 1 stands each on a corner of
+/// its own as far as corners go, the other odd jobs one or more of them; where the rest stands is drawn.
 std::vector<double> PlaceStart(const PlacementGround& ground, std::uint64_t seed, std::size_t job);
 
-/// Searches from one start: a pattern search that moves one anchor at a time to either side or to the corner of the
-/// outline next to it, and all of them at once in a direction that it draws; a step that no move improves is halved
-/// [Torczon1997]. Depends on ground, seed and job alone. Nothing when it was stopped.
+/// Searches from one start: a pattern search that moves one anchor at a time to either side; where that is no better,
+/// one to the corner of the outline next to it, two neighbours so that the line between them turns about a task or a
+/// corner, or all of them in a direction that it draws. A step that no move improves is halved [Torczon1997]. Depends
+/// on ground, seed and job alone. Nothing when it was stopped.
 std::optional<PlaceJob> RunPlaceJob(const PlacementGround& ground, const PlaceJobOptions& options, std::size_t job);
 
 }  // namespace tautline
