@@ -70,6 +70,20 @@ tl::unexpected<Error> NoPart(const std::string& name, const std::string& why) {
                       name);
 }
 
+/// Beyond these, a mistyped number would take all memory rather than be told.
+constexpr std::size_t kMostAnchors = 1000;
+constexpr std::size_t kMostJobs = 1'000'000;
+
+std::optional<Error> FaultOf(const PlaceQuestion& question) {
+  const auto beyond = [](const std::string& where, std::size_t value, std::size_t most) {
+    return Error{ErrorCode::kLimitExceeded, std::to_string(value) + " are too many: at most " + std::to_string(most),
+                 where};
+  };
+  if (question.anchors > kMostAnchors) return beyond("anchors", question.anchors, kMostAnchors);
+  if (question.jobs > kMostJobs) return beyond("jobs", question.jobs, kMostJobs);
+  return std::nullopt;
+}
+
 /// What an attempt to read a part makes of it.
 template <class Read>
 auto Reading(const std::string& name, const Read& read) -> Expected<decltype(read())> {
@@ -124,6 +138,7 @@ std::string Difference(const Json& found, const Json& wanted) {
 }  // namespace
 
 Expected<PlaceSearch> PreparePlaceSearch(const Scene& scene, const PlaceQuestion& question, const Watcher& watch) {
+  if (const auto fault = FaultOf(question)) return tl::unexpected(*fault);
   const auto limit = question.max_boundary ? question.max_boundary : scene.max_boundary;
   auto ground = PlacementGround::Prepare(scene.world,
                                          {.anchors = question.anchors,

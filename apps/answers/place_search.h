@@ -39,7 +39,7 @@ struct PlaceSearch {
   std::size_t jobs() const { return ground.lost_task() ? 0 : question.jobs; }
 };
 
-/// Errors: as PlacementGround::Prepare, with the file of the scene.
+/// Errors: as PlacementGround::Prepare, with the file of the scene; more than a thousand anchors or a million jobs.
 [[nodiscard]] Expected<PlaceSearch> PreparePlaceSearch(const Scene& scene, const PlaceQuestion& question,
                                                        const Watcher& watch = {});
 

@@ -24,18 +24,26 @@ void ExplainLostTask(const PlacementGround& ground, std::size_t task, PlaceResul
                        ": no workspace can hold it";
 }
 
+/// What may have kept a search from finding any.
+std::string Advice(const PlaceResult& result) {
+  if (result.incomplete == 0) return "; more jobs or evaluations may find one";
+  return "; in " + std::to_string(result.incomplete) +
+         " of them the budget ended before all boundaries were known: raise it, or lower the limit";
+}
+
 /// Where none was found.
 void ExplainNothing(const PlacementGround& ground, PlaceResult& result) {
   result.status = PlaceStatus::kBudgetExceeded;
   result.obstruction = WorkspaceObstruction::kNoBoundary;
-  const std::string tried = " among the " + std::to_string(result.evaluations) + " placements that were looked at";
+  const std::string limit = "of up to " + Metres(ground.max_boundary());
+  const std::string tried = " at the " + std::to_string(result.evaluations) + " placements that were looked at";
   if (!result.placement) {
-    result.explanation = "no valid boundary of up to " + Metres(ground.max_boundary()) + tried;
+    result.explanation = "no valid boundary " + limit + " was found" + tried + Advice(result);
     return;
   }
-  result.explanation = "no boundary of up to " + Metres(ground.max_boundary()) + " holds all " +
-                       std::to_string(ground.options().tasks.size()) + " tasks" + tried + "; the best one holds " +
-                       std::to_string(result.details.tasks_held);
+  result.explanation = "no boundary " + limit + " that holds all tasks was found" + tried + "; the best one holds " +
+                       std::to_string(result.details.tasks_held) + " of " +
+                       std::to_string(ground.options().tasks.size()) + Advice(result);
 }
 
 }  // namespace
