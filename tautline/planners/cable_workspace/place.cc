@@ -46,6 +46,12 @@ void ExplainNothing(const PlacementGround& ground, PlaceResult& result) {
                        std::to_string(ground.options().tasks.size()) + Advice(result);
 }
 
+/// What the best of a job was compared with when it was found.
+std::optional<PlacementWorth> BeatenBy(const PlaceJob& job) {
+  if (job.gains.size() < 2) return std::nullopt;
+  return job.gains[job.gains.size() - 2].worth;
+}
+
 }  // namespace
 
 Expected<PlaceResult> JoinPlaceJobs(const PlacementGround& ground, std::vector<PlaceJob> jobs) {
@@ -67,7 +73,7 @@ Expected<PlaceResult> JoinPlaceJobs(const PlacementGround& ground, std::vector<P
     result.incomplete += job.incomplete;
   }
   if (best_job != nullptr) {
-    result.placement = ground.Evaluate(best_job->positions).placement;
+    result.placement = ground.Evaluate(best_job->positions, BeatenBy(*best_job)).placement;
     if (!result.placement || result.placement->worth != *best) {
       return InvalidInput("job " + std::to_string(best_job->job) + " found a placement worth " +
                           ShortNumber(best->value) + " that is worth " +

@@ -153,7 +153,9 @@ class PatternSearch {
       stopped_ = true;
       return false;
     }
-    const PlacementAnswer answer = ground_.Evaluate(std::move(positions));
+    std::optional<PlacementWorth> to_beat;
+    if (!found_.gains.empty()) to_beat = found_.gains.back().worth;
+    const PlacementAnswer answer = ground_.Evaluate(std::move(positions), to_beat);
     ++found_.evaluations;
     if (!answer.complete) ++found_.incomplete;
     if (!answer.placement || !Gains(answer.placement->worth)) return false;

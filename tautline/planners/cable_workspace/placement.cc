@@ -18,6 +18,9 @@ namespace {
 constexpr double kLimitPerOutline = 1.25;
 constexpr double kLimitPerStub = 4;
 
+/// Sums of the same lengths in another order differ by less than this share.
+constexpr double kLengthSlack = 1e-9;
+
 std::optional<std::size_t> ComponentOfTasks(const FreeSpace& space, std::span<const Point> tasks) {
   return tasks.empty() ? std::nullopt : ComponentOf(space, tasks[0], BoundaryTolerance(space));
 }
@@ -122,7 +125,8 @@ bool PlacementGround::IsBetter(const PlacementWorth& a, const PlacementWorth& b)
   return least ? a.value < b.value : a.value > b.value;
 }
 
-PlacementAnswer PlacementGround::Evaluate(std::vector<double> positions) const {
+PlacementAnswer PlacementGround::Evaluate(std::vector<double> positions,
+                                          const std::optional<PlacementWorth>& to_beat) const {
   TAUTLINE_CHECK(positions.size() == options_.anchors);
   for (double& position : positions) position = outline_.Wrapped(position);
   std::sort(positions.begin(), positions.end());
@@ -137,7 +141,8 @@ PlacementAnswer PlacementGround::Evaluate(std::vector<double> positions) const {
     futures = *std::move(prepared);
   }
   const Placement at{.positions = std::move(positions), .anchors = *std::move(anchors)};
-  BoundaryList list = FindBoundaries(ground_, at.anchors, {.max_boundary = max_boundary(), .budget = options_.budget});
+  BoundaryList list =
+      FindBoundaries(ground_, at.anchors, {.max_boundary = LimitToBeat(to_beat), .budget = options_.budget});
   PlacementAnswer answer{.placement = {}, .complete = list.complete};
   Boundaries holding = TakeHolding(list.boundaries);
   if (options_.objective == PlaceObjective::kCable) {
@@ -149,6 +154,13 @@ PlacementAnswer PlacementGround::Evaluate(std::vector<double> positions) const {
   }
   if (!answer.placement) answer.placement = Nearest(at, std::move(list.boundaries));
   return answer;
+}
+
+/// The greatest length of a boundary that may be better: its cables together are no shorter than it, since each reaches
+/// both neighbours.
+double PlacementGround::LimitToBeat(const std::optional<PlacementWorth>& to_beat) const {
+  if (options_.objective != PlaceObjective::kCable || !to_beat || !to_beat->holds_all()) return max_boundary();
+  return std::min(max_boundary(), (1 + kLengthSlack) * to_beat->value);
 }
 
 double PlacementGround::Outside(const WorkspaceBoundary& boundary) const {
@@ -192,9 +204,12 @@ std::optional<Placement> PlacementGround::LeastCable(Placement at, Boundaries bo
                                                      const Futures* futures) const {
   std::optional<BoundaryCarrier> carrier;
   if (futures != nullptr) carrier.emplace(*futures, ground_, at.anchors);
+  std::vector<std::pair<double, std::size_t>> by_lowest;
+  for (std::size_t i = 0; i < boundaries.size(); ++i) by_lowest.emplace_back(LowestCable(at, boundaries[i]), i);
+  std::sort(by_lowest.begin(), by_lowest.end());
   std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < boundaries.size(); ++i) {
-    if (best && LowestCable(at, boundaries[i]) >= at.worth.value) continue;
+  for (const auto& [lowest, i] : by_lowest) {
+    if (best && lowest >= at.worth.value) break;
     double cable = 0;
     if (carrier) {
       const FutureOutcomes outcomes = carrier->Carry(boundaries[i]);

@@ -74,9 +74,10 @@ class PlacementGround {
   [[nodiscard]] static Expected<PlacementGround> Prepare(const World& world, const PlacementOptions& options,
                                                          const Watcher& watch = {});
 
-  /// The best boundary for winches at these positions, which are wrapped and sorted first. Cost: that of
-  /// FindBoundaries; with futures that of Futures::Prepare, too.
-  PlacementAnswer Evaluate(std::vector<double> positions) const;
+  /// The best boundary for winches at these positions, which are wrapped and sorted first. `to_beat`: where nothing
+  /// better than this is there, the answer may be worse than the best, and comes sooner. Cost: that of FindBoundaries;
+  /// with futures that of Futures::Prepare, too.
+  PlacementAnswer Evaluate(std::vector<double> positions, const std::optional<PlacementWorth>& to_beat = {}) const;
 
   /// The cables of a placement that Evaluate returned, and its futures.
   PlacementDetails DetailsOf(const Placement& placement) const;
@@ -103,6 +104,7 @@ class PlacementGround {
   using Boundaries = std::vector<WorkspaceBoundary>;
 
   std::optional<std::size_t> FindLostTask() const;
+  double LimitToBeat(const std::optional<PlacementWorth>& to_beat) const;
   double Outside(const WorkspaceBoundary& boundary) const;
   Boundaries TakeHolding(Boundaries& boundaries) const;
   std::optional<Placement> Largest(Placement at, Boundaries boundaries) const;

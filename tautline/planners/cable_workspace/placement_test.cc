@@ -185,6 +185,9 @@ TEST(PlacementGround, AnEvaluationIsTheBestBoundaryByDefinition) {
     with_futures += options.futures.empty() ? 0 : 1;
     const PlacementWorth slow = SlowWorth(*prepared, answer.placement->anchors, scene.world);
     EXPECT_NEAR(answer.placement->worth.outside, slow.outside, 1e-3 * length) << trial;
+    const PlacementWorth above{slow.outside, slow.value + (prepared->IsBetter({0, 1}, {0, 2}) ? 1e-6 : -1e-6) * length};
+    const PlacementAnswer beaten = prepared->Evaluate(positions, above);
+    EXPECT_TRUE(!slow.holds_all() || beaten.placement->worth == answer.placement->worth) << trial;
     const PlacementDetails details = prepared->DetailsOf(*answer.placement);
     if (!slow.holds_all()) continue;
     ++all_held;
