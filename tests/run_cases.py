@@ -92,8 +92,40 @@ def reach_difference(got, want, tolerance):
     return None
 
 
+def workspace_difference(got, want, tolerance):
+    """The first way in which a workspace, a pose or a list of boundaries differs from what is expected, or None.
+    `lengths` are those of the sides, `areas` those of the boundaries of a list."""
+    if "count" in want or "areas" in want:
+        areas = [b["area"] for b in got["boundaries"]]
+        if len(areas) != want.get("count", len(areas)) or got["complete"] is not True:
+            return f"{len(areas)} boundaries, complete: {got['complete']}, wanted {want['count']}"
+        found = {"areas": areas}
+    else:
+        found = {"area": got.get("area"), "margin": got.get("margin"),
+                 "lengths": [s["length"] for s in got.get("sides", [])],
+                 "max_cable_lengths": got.get("max_cable_lengths"), "boundary": got.get("boundary"),
+                 "cable_lengths": [c["length"] for c in got.get("cables", [])]}
+    for key in ("status", "reason", "words", "position", "spans", "touches"):
+        if key in want and got.get(key) != want[key]:
+            return f"{key} {got.get(key)}, wanted {want[key]}"
+    for key, value in found.items():
+        if key in want and not all_close(value, want[key], tolerance):
+            return f"{key} {value}, wanted {want[key]}"
+    return None
+
+
+def all_close(got, want, tolerance):
+    """Whether two numbers, or two lists of such, agree."""
+    if isinstance(want, list):
+        return isinstance(got, list) and len(got) == len(want) and all(
+            all_close(a, b, tolerance) for a, b in zip(got, want))
+    return got is not None and close(got, want, tolerance)
+
+
 def difference(got, want, tolerance):
     """The first way in which an answer differs from what is expected, or None."""
+    if got["command"].startswith("workspace"):
+        return workspace_difference(got, want, tolerance)
     if got["command"] == "reach":
         return reach_difference(got, want, tolerance)
     if "classes" in got:

@@ -30,6 +30,7 @@ COMMANDS = {
     "classes": ["--count", "8", "--verify"],
     "taut": ["--verify"],
     "workspace boundary": ["--verify"],
+    "workspace best": ["--verify", "--count", "5"],
     "workspace pose": ["--verify"],
     "workspace move": ["--acceleration", "0.5", "--winch-limit", "0.4", "--dt", "7", "--verify"],
     "workspace tour": ["--round", "--rounds", "20", "--verify"],

@@ -54,7 +54,7 @@ Json BoundaryJson(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary
   json["max_cable_at"] = Json::array();
   for (const LongestCable& cable : LongestCables(setup.ground, setup.anchors, boundary)) {
     json["max_cable_lengths"].push_back(cable.length);
-    json["max_cable_at"].push_back(values.Of(setup.anchors[cable.farthest].base));
+    json["max_cable_at"].push_back(values.Of(setup.anchors[cable.farthest].exit.point));
   }
   return json;
 }

@@ -7,11 +7,26 @@
 #include "apps/cli/common_options.h"
 #include "apps/cli/describe.h"
 #include "apps/cli/workspace_commands.h"
-#include "tautline/draw/draw_workspace.h"
+#include "apps/pictures/workspace_pictures.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
 namespace {
+
+std::string DescribeFutures(const FutureOutcomes& outcomes) {
+  std::string text = fmt::format("  expected {}", SquareMetres(outcomes.expected_area));
+  if (outcomes.lost_probability > 0) text += fmt::format(", lost with {:.4g} %", 100 * outcomes.lost_probability);
+  text += "\n";
+  for (const FutureOutcome& outcome : outcomes.outcomes) {
+    text += fmt::format("  {:>8.4g} %  {}\n", 100 * outcome.probability,
+                        outcome.boundary ? SquareMetres(outcome.boundary->area)
+                                         : "no workspace: " + outcome.boundary.error().explanation);
+  }
+  for (std::size_t i = 0; i < outcomes.longest_cables.size(); ++i) {
+    text += fmt::format("  winch {} needs {} over all futures\n", i + 1, Metres(outcomes.longest_cables[i]));
+  }
+  return text;
+}
 
 std::string ToText(const BoundaryAnswer& answer) {
   if (!answer.boundary) return fmt::format("No workspace: {}.\n", answer.boundary.error().explanation);
@@ -29,6 +44,7 @@ std::string ToText(const BoundaryAnswer& answer) {
     text += fmt::format("  winch {} needs {} of cable, when the robot is at winch {}\n", i + 1,
                         Metres(answer.longest[i].length), answer.longest[i].farthest + 1);
   }
+  if (answer.outcomes) text += DescribeFutures(*answer.outcomes);
   return text + DescribeVerification(answer.verified_curves);
 }
 
@@ -37,10 +53,7 @@ Expected<int> RunBoundary(const CommonOptions& options) {
   if (!scene) return tl::unexpected(scene.error());
   const auto answer = AnswerBoundary(*scene, {.verify = options.verify});
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    return DrawWorkspace(*scene, answer->setup.ground.space().free_space(),
-                         {.anchors = answer->setup.anchors, .boundary = answer->boundary, .longest = answer->longest});
-  };
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
   return Deliver(options, {.json = answer->json, .text = ToText(*answer), .draw = draw, .status = answer->status});
 }
 

@@ -6,6 +6,7 @@
 
 namespace tautline::cli {
 
+Run AddWorkspaceBest(CLI::App& workspace);
 Run AddWorkspaceBoundary(CLI::App& workspace);
 Run AddWorkspaceMove(CLI::App& workspace);
 Run AddWorkspacePose(CLI::App& workspace);

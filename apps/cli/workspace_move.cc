@@ -11,8 +11,7 @@
 #include "apps/cli/option_checks.h"
 #include "apps/cli/point_option.h"
 #include "apps/cli/workspace_commands.h"
-#include "tautline/draw/draw_move.h"
-#include "tautline/draw/draw_workspace.h"
+#include "apps/pictures/workspace_pictures.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
@@ -50,8 +49,7 @@ std::string ToText(const MoveAnswer& answer) {
                   Counted(answer.samples.size(), "sample", "samples"), Describe(move.path.points));
   for (std::size_t i = 0; i < answer.setup.anchors.size(); ++i) text += DescribeWinch(answer, i);
   if (move.outside) {
-    text +=
-        fmt::format("  the path leaves the workspace at {}, which turns inwards at a winch\n", ToText(*move.outside));
+    text += fmt::format("  the path leaves the workspace at {}, beside a winch in the open\n", ToText(*move.outside));
   }
   return text + DescribeVerification(answer.verified_curves);
 }
@@ -77,20 +75,7 @@ Expected<int> RunMove(const MoveCommand& command) {
   if (!question) return tl::unexpected(question.error());
   const auto answer = AnswerMove(*scene, *question);
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    const FreeSpace& space = answer->setup.ground.space().free_space();
-    if (!answer->move) {
-      return DrawWorkspace(*scene, space,
-                           {.anchors = answer->setup.anchors, .boundary = answer->boundary, .longest = {}});
-    }
-    return DrawMove(*scene, space,
-                    {.anchors = answer->setup.anchors,
-                     .boundary = *answer->boundary,
-                     .start = answer->from,
-                     .goal = answer->to,
-                     .options = answer->options,
-                     .move = *answer->move});
-  };
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
   const auto csv = [&] { return MoveCsv(*answer); };
   return Deliver(command.common,
                  {.json = answer->json, .text = ToText(*answer), .draw = draw, .csv = csv, .status = answer->status});

@@ -9,7 +9,7 @@
 #include "apps/cli/describe.h"
 #include "apps/cli/point_option.h"
 #include "apps/cli/workspace_commands.h"
-#include "tautline/draw/draw_workspace.h"
+#include "apps/pictures/workspace_pictures.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
@@ -24,8 +24,8 @@ std::string ToText(const PoseAnswer& answer) {
   if (answer.status != kExitSolved) return fmt::format("No pose: {}.\n", answer.explanation);
   const Pose& pose = *answer.pose;
   const char* where = pose.position == Containment::kInside ? "inside the workspace"
-                      : pose.touches_obstacle            ? "on its boundary, touching blocked ground"
-                                                         : "on its boundary, in the open";
+                      : pose.touches_obstacle               ? "on its boundary, touching blocked ground"
+                                                            : "on its boundary, in the open";
   std::string text = fmt::format("The pose {} is {}.\n", ToText(answer.at), where);
   text += fmt::format("  the cables {} in every direction: widest angle {:.4g} degrees, margin {:.4g}\n",
                       pose.spans ? "can pull" : "cannot pull", pose.largest_gap * 180 / std::numbers::pi, pose.margin);
@@ -47,15 +47,7 @@ Expected<int> RunPose(const PoseCommand& command) {
   }
   const auto answer = AnswerPose(*scene, question);
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    const FreeSpace& space = answer->setup.ground.space().free_space();
-    const Anchors& anchors = answer->setup.anchors;
-    if (!answer->pose) {
-      return DrawWorkspace(*scene, space, {.anchors = anchors, .boundary = answer->boundary, .longest = {}});
-    }
-    return DrawPose(*scene, space,
-                    {.anchors = anchors, .boundary = answer->boundary, .at = answer->at, .pose = *answer->pose});
-  };
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
   return Deliver(command.common,
                  {.json = answer->json, .text = ToText(*answer), .draw = draw, .status = answer->status});
 }

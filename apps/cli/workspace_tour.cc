@@ -11,8 +11,7 @@
 #include "apps/cli/point_option.h"
 #include "apps/cli/progress_bar.h"
 #include "apps/cli/workspace_commands.h"
-#include "tautline/draw/draw_tour.h"
-#include "tautline/draw/draw_workspace.h"
+#include "apps/pictures/workspace_pictures.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
@@ -45,8 +44,7 @@ std::string ToText(const TourAnswer& answer) {
   text += fmt::format("  {:>13}  {}\n", Metres(tour.legs.back().length),
                       answer.stops.goal ? "the goal " + ToText(*answer.stops.goal) : "back to the start");
   if (tour.outside) {
-    text +=
-        fmt::format("  the path leaves the workspace at {}, which turns inwards at a winch\n", ToText(*tour.outside));
+    text += fmt::format("  the path leaves the workspace at {}, beside a winch in the open\n", ToText(*tour.outside));
   }
   return text + DescribeVerification(answer.verified_curves);
 }
@@ -69,18 +67,7 @@ Expected<int> RunTour(const TourCommand& command) {
   const auto answer = AnswerTour(*scene, question);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    const FreeSpace& space = answer->setup.ground.space().free_space();
-    if (!answer->tour) {
-      return DrawWorkspace(*scene, space,
-                           {.anchors = answer->setup.anchors, .boundary = answer->boundary, .longest = {}});
-    }
-    return DrawTour(*scene, space,
-                    {.anchors = answer->setup.anchors,
-                     .boundary = *answer->boundary,
-                     .stops = answer->stops,
-                     .tour = *answer->tour});
-  };
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
   return Deliver(command.common,
                  {.json = answer->json, .text = ToText(*answer), .draw = draw, .status = answer->status});
 }

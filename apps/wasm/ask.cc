@@ -6,15 +6,13 @@
 
 #include "apps/answers/reach_answer.h"
 #include "apps/answers/show_answer.h"
+#include "apps/pictures/workspace_pictures.h"
 #include "apps/wasm/ask_options.h"
 #include "tautline/draw/draw_classes.h"
-#include "tautline/draw/draw_move.h"
 #include "tautline/draw/draw_plan.h"
 #include "tautline/draw/draw_reach.h"
 #include "tautline/draw/draw_show.h"
 #include "tautline/draw/draw_taut.h"
-#include "tautline/draw/draw_tour.h"
-#include "tautline/draw/draw_workspace.h"
 #include "tautline/scene/json_document.h"
 #include "tautline/scene/map_reader.h"
 #include "tautline/scene/scene_reader.h"
@@ -108,66 +106,33 @@ Reply Show(const Scene& scene, const AskOptions& options) {
   return reply;
 }
 
-Reply Boundary(const Scene& scene, const AskOptions& options) {
-  const auto answer = AnswerBoundary(scene, options.boundary);
+/// The answer of one of the workspace commands.
+template <class Answer>
+Reply ReplyWith(const Scene& scene, const AskOptions& options, const Expected<Answer>& answer) {
   if (!answer) return Refuse(answer.error());
   Reply reply{.status = answer->status, .answer = Text(answer->json)};
-  if (options.svg) {
-    reply.svg =
-        DrawWorkspace(scene, answer->setup.ground.space().free_space(),
-                      {.anchors = answer->setup.anchors, .boundary = answer->boundary, .longest = answer->longest});
-  }
+  if (options.svg) reply.svg = DrawAnswer(scene, *answer);
   return reply;
+}
+
+Reply Boundary(const Scene& scene, const AskOptions& options) {
+  return ReplyWith(scene, options, AnswerBoundary(scene, options.boundary));
+}
+
+Reply Best(const Scene& scene, const AskOptions& options) {
+  return ReplyWith(scene, options, AnswerBest(scene, options.best));
 }
 
 Reply PoseIn(const Scene& scene, const AskOptions& options) {
-  const auto answer = AnswerPose(scene, options.pose);
-  if (!answer) return Refuse(answer.error());
-  Reply reply{.status = answer->status, .answer = Text(answer->json)};
-  if (!options.svg) return reply;
-  const FreeSpace& space = answer->setup.ground.space().free_space();
-  const Anchors& anchors = answer->setup.anchors;
-  reply.svg =
-      answer->pose
-          ? DrawPose(scene, space,
-                     {.anchors = anchors, .boundary = answer->boundary, .at = answer->at, .pose = *answer->pose})
-          : DrawWorkspace(scene, space, {.anchors = anchors, .boundary = answer->boundary, .longest = {}});
-  return reply;
-}
-
-Reply NoBoundary(const Scene& scene, const WorkspaceSetup& setup,
-                 const tl::expected<WorkspaceBoundary, BoundaryFault>& boundary, Reply reply) {
-  const WorkspacePicture picture{.anchors = setup.anchors, .boundary = boundary, .longest = {}};
-  reply.svg = DrawWorkspace(scene, setup.ground.space().free_space(), picture);
-  return reply;
+  return ReplyWith(scene, options, AnswerPose(scene, options.pose));
 }
 
 Reply MoveTo(const Scene& scene, const AskOptions& options) {
-  const auto answer = AnswerMove(scene, options.move);
-  if (!answer) return Refuse(answer.error());
-  Reply reply{.status = answer->status, .answer = Text(answer->json)};
-  if (!options.svg) return reply;
-  if (!answer->move) return NoBoundary(scene, answer->setup, answer->boundary, std::move(reply));
-  reply.svg = DrawMove(scene, answer->setup.ground.space().free_space(),
-                       {.anchors = answer->setup.anchors,
-                        .boundary = *answer->boundary,
-                        .start = answer->from,
-                        .goal = answer->to,
-                        .options = answer->options,
-                        .move = *answer->move});
-  return reply;
+  return ReplyWith(scene, options, AnswerMove(scene, options.move));
 }
 
 Reply TourOver(const Scene& scene, const AskOptions& options) {
-  const auto answer = AnswerTour(scene, options.tour);
-  if (!answer) return Refuse(answer.error());
-  Reply reply{.status = answer->status, .answer = Text(answer->json)};
-  if (!options.svg) return reply;
-  if (!answer->tour) return NoBoundary(scene, answer->setup, answer->boundary, std::move(reply));
-  reply.svg = DrawTour(
-      scene, answer->setup.ground.space().free_space(),
-      {.anchors = answer->setup.anchors, .boundary = *answer->boundary, .stops = answer->stops, .tour = *answer->tour});
-  return reply;
+  return ReplyWith(scene, options, AnswerTour(scene, options.tour));
 }
 
 Reply Answer(const Question& question) {
@@ -182,6 +147,7 @@ Reply Answer(const Question& question) {
                                                         {"taut", Taut},
                                                         {"show", Show},
                                                         {"workspace boundary", Boundary},
+                                                        {"workspace best", Best},
                                                         {"workspace pose", PoseIn},
                                                         {"workspace move", MoveTo},
                                                         {"workspace tour", TourOver}};

@@ -138,6 +138,14 @@ void ReadTour(OptionsReader& options, TourQuestion& question) {
   options.AtLeastOne("rounds", question.options.rounds_per_task);
 }
 
+void ReadBest(OptionsReader& options, BestQuestion& question) {
+  options.Flag("verify", question.verify);
+  options.NonNegative("max_boundary", question.max_boundary);
+  options.NonNegative("count_longer", question.longer_to);
+  options.AtLeastOne("count", question.count);
+  options.AtLeastOne("budget", question.budget);
+}
+
 /// A command with the options that it knows besides those of all, and how they are read.
 struct CommandOptions {
   const char* name;
@@ -155,6 +163,9 @@ std::vector<CommandOptions> AllCommands() {
       {"taut", {}, [](OptionsReader& o, AskOptions& asked) { o.Flag("verify", asked.taut.verify); }},
       {"show", {}, [](OptionsReader&, AskOptions&) {}},
       {"workspace boundary", {}, [](OptionsReader& o, AskOptions& asked) { o.Flag("verify", asked.boundary.verify); }},
+      {"workspace best",
+       {"max_boundary", "count_longer", "count", "budget"},
+       [](OptionsReader& o, AskOptions& asked) { ReadBest(o, asked.best); }},
       {"workspace pose", {"at"}, [](OptionsReader& o, AskOptions& asked) { ReadPose(o, asked.pose); }},
       {"workspace move",
        {"from", "to", "speed", "acceleration", "winch_limit", "dt"},

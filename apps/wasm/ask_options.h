@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "apps/answers/best_answer.h"
 #include "apps/answers/boundary_answer.h"
 #include "apps/answers/classes_answer.h"
 #include "apps/answers/move_answer.h"
@@ -25,6 +26,7 @@ struct AskOptions {
   ClassesQuestion classes;
   TautQuestion taut;
   BoundaryQuestion boundary;
+  BestQuestion best;
   PoseQuestion pose;
   MoveQuestion move;
   TourQuestion tour;
@@ -33,7 +35,8 @@ struct AskOptions {
 /// Reads a JSON object such as `{"count": 5, "svg": true}`; no text stands for no options. All commands know `svg`,
 /// `verify`, `unknown` and `simplify`; plan knows `all`, `count` and `budget`; reach knows `sheets`, `at`
 /// and `budget`; classes knows `from`, `to`,
-/// `max_length`, `count`, `word` and `budget`; workspace pose knows `at`; workspace
+/// `max_length`, `count`, `word` and `budget`; workspace best knows `max_boundary`, `count_longer`, `count` and
+/// `budget`; workspace pose knows `at`; workspace
 /// move knows `from`, `to`, `speed`, `acceleration`, `winch_limit` and `dt`; workspace tour knows `from`, `to`, `round`
 /// and `rounds`. Only the members of the command are filled in. Errors: kInvalidInput for a
 /// command that there is not, and for what is not JSON, unknown or out of range.

@@ -68,7 +68,8 @@ TEST(Ask, InfeasibleHasAnAnswerAndStatus3) {
 TEST(Ask, BadInputIsOneLineAndNothingElse) {
   const std::pair<Reply, const char*> faults[] = {
       {AskAbout("paln", kBlock),
-       "there is no command 'paln'; there are plan, reach, classes, taut, show, workspace boundary, workspace pose, "
+       "there is no command 'paln'; there are plan, reach, classes, taut, show, workspace boundary, workspace best, "
+       "workspace pose, "
        "workspace move and workspace tour"},
       {AskAbout("plan", "{"), "scene:1: not valid JSON"},
       {AskAbout("plan", R"({"world": 1})"), "scene:1: world must be a map"},

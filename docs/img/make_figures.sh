@@ -21,7 +21,9 @@ draw reach.svg reach scenes/store_room.yaml --sheets
 draw reach_plane.svg reach scenes/two_ways.yaml
 draw taut.svg taut scenes/tanks.yaml
 draw show.svg show scenes/free_ground.yaml
-draw workspace.svg workspace boundary scenes/workspace.yaml
+draw workspace.svg workspace boundary scenes/camera_hall.yaml
+draw workspace_futures.svg workspace boundary scenes/workspace.yaml
+draw workspace_best.svg workspace best scenes/workspace.yaml
 draw workspace_pose.svg workspace pose scenes/workspace.yaml --at 90,90
 draw workspace_move.svg workspace move scenes/camera_hall.yaml --from 30,10 --to 110,100 --speed 10 --acceleration 4 \
   --winch-limit 6

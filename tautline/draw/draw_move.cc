@@ -167,7 +167,7 @@ std::string DrawMove(const Scene& scene, const FreeSpace& space, const MovePictu
   const Move& move = *picture.move;
   const int decimals = LengthDecimals(space);
   content.title = "Robot path " + LengthText(move.path.length, decimals) + " in " + SecondsText(move.duration_s);
-  if (move.outside) content.notes = {"The path leaves the workspace, which turns inwards at a winch."};
+  if (move.outside) content.notes = {"The path leaves the workspace beside a winch in the open."};
   content.legend = MoveLegend(move, decimals);
   content.plots = Plots(move, picture.options);
   Figure figure(scene, space, content);

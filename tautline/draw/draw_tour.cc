@@ -33,7 +33,7 @@ std::vector<std::string> Notes(const Tour& tour, int decimals) {
                     CompactText(gap, 2) + " % longer than the shortest.");
   }
   if (tour.stopped) notes.emplace_back("The search was stopped before its end.");
-  if (tour.outside) notes.emplace_back("The path leaves the workspace, which turns inwards at a winch.");
+  if (tour.outside) notes.emplace_back("The path leaves the workspace beside a winch in the open.");
   return notes;
 }
 

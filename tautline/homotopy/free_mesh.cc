@@ -143,6 +143,10 @@ std::optional<Place> FreeMesh::Locate(Point p, double tolerance) const {
   const TriangleId id = mesh_.Locate(p);
   if (IsFree(id)) return Place{p, id};
   if (const auto place = OnBoundaryOfBlocked(id, p)) return place;
+  return MoveOntoBoundary(p, tolerance);
+}
+
+std::optional<Place> FreeMesh::MoveOntoBoundary(Point p, double tolerance) const {
   std::optional<std::size_t> nearest;
   double least = tolerance;
   boundary_index_->ForEachNear({p - Point{tolerance, tolerance}, p + Point{tolerance, tolerance}}, [&](std::size_t k) {

@@ -239,16 +239,17 @@ inline Point RandomTouchingPoint(Rng& rng, const RandomScene& scene) {
   return touching[static_cast<std::size_t>(rng.UniformInt(0, static_cast<int>(touching.size()) - 1))];
 }
 
-/// A random walk from one node to another along lines of sight, grazing and turning back as it likes. Nothing when
-/// there is no way.
-inline std::optional<Polyline> RandomWalk(Rng& rng, const ClassOracle& oracle, std::size_t from, std::size_t to) {
+/// A random walk from one node to another along lines of sight, grazing and turning back as it likes, by up to
+/// `detours` steps before it goes straight for its end. Nothing when there is no way.
+inline std::optional<Polyline> RandomWalk(Rng& rng, const ClassOracle& oracle, std::size_t from, std::size_t to,
+                                          int detours = 6) {
   const std::vector<std::size_t> target{to};
   const std::vector<double> distance = oracle.DistancesTo(target);
   if (!std::isfinite(distance[from])) return std::nullopt;
   const auto point = [&oracle](std::size_t node) { return oracle.sight().nodes()[node].point; };
   Polyline walk{point(from)};
   std::size_t at = from;
-  for (int step = rng.UniformInt(0, 6); step > 0; --step) {
+  for (int step = rng.UniformInt(0, detours); step > 0; --step) {
     const auto neighbours = oracle.NeighboursOf(at);
     at = neighbours[static_cast<std::size_t>(rng.UniformInt(0, static_cast<int>(neighbours.size()) - 1))];
     walk.push_back(point(at));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tautline/base/rng.h"
 #include "tautline/base/test_scale.h"
 #include "tautline/homotopy/classes.h"
@@ -62,6 +64,35 @@ TEST(FindWordPath, TellsObstaclesOfNearlyOneColumnApart) {
          {"", "a", "b", "c", "a b", "b a", "a b c", "c b a", "b c^-1 a", "a c b^-1 a", "b b a^-1 c"}) {
       SCOPED_TRACE(word);
       ASSERT_TRUE(PathOf(space, scene['A'], scene['B'], word)) << "step " << step;
+    }
+  }
+}
+
+// No number lies between the columns of two rays, but one is crossed before the other.
+TEST(FindWordPath, TellsObstaclesOfNeighbouringColumnsApart) {
+  auto scene = Sketch({".....",  //
+                       "..c..",  //
+                       ".....",  //
+                       "..b..",  //
+                       "A...B",  //
+                       "..a..",  //
+                       "....."});
+  const double middle = 2.5, right = std::nextafter(middle, 3);
+  for (const double a_x : {middle, right}) {
+    for (const double b_x : {middle, right}) {
+      scene.world.obstacles[0].representative = {a_x, 1.5};
+      scene.world.obstacles[1].representative = {b_x, 3.5};
+      scene.world.obstacles[2].representative = {middle, 5.5};
+      const TautSpace space(SpaceOf(scene));
+      for (const Point above : {Point{2.5, 0.5}, {2.5, 2.5}, {2.5, 4.5}, {2.5, 6.5}}) {
+        const Word word = space.rays().WordOf(Polyline{scene['A'], {1.5, above.y}, {3.5, above.y}, scene['B']});
+        const auto path = FindWordPath(space, *space.Locate(scene['A']), *space.Locate(scene['B']), word);
+        ASSERT_TRUE(path) << above.y;
+        EXPECT_EQ(path->points.size(), above.y == 2.5 ? 2U : 4U);
+      }
+      for (const char* word : {"a", "b", "c", "a^-1", "b^-1", "c b a", "b^-1 a c^-1"}) {
+        EXPECT_TRUE(PathOf(space, scene['A'], scene['B'], word)) << word;
+      }
     }
   }
 }

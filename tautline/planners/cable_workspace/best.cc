@@ -130,8 +130,9 @@ class BoundarySearch {
 
   /// The classes of a side, cheapest first, but those that cross themselves.
   std::vector<CurveId> ListSide(std::size_t i, const TollGraph& graph, const RayTolls& tolls,
-                                const SideClassOptions& options) {
+                                SideClassOptions options) {
     std::vector<CurveId> side;
+    options.drop_loops = LoopsCross(ground_.space(), anchors_[i].exit, anchors_[NextAnchor(i, anchors_.size())].exit);
     for (const TautPath& path : ListSideClasses(ground_.space(), anchors_, i, graph, tolls, options)) {
       const Walk walk = WalkBetween(ground_, anchors_[i], anchors_[NextAnchor(i, anchors_.size())], path);
       const CurveId curve = curves_.Add(walk, RefundOf(ground_.space(), tolls, path.points));
@@ -154,7 +155,8 @@ class BoundarySearch {
     }
     auto boundary = CloseBoundary(ground_, anchors_, std::move(walks), std::move(paths));
     if (!boundary) {
-      TAUTLINE_CHECK(boundary.error().obstruction == WorkspaceObstruction::kNoArea);
+      // Chords and sides that end in the open cross nothing as far as the fan knows.
+      TAUTLINE_CHECK(boundary.error().obstruction == WorkspaceObstruction::kNoArea || !ChordsCanCross());
       return;
     }
     if (HoldsAll(ground_, *boundary, options_.tasks)) list.boundaries.push_back(*std::move(boundary));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tautline/base/check.h"
+#include "tautline/geometry/predicates.h"
 #include "tautline/homotopy/classes.h"
 #include "tautline/homotopy/word_path.h"
 #include "tautline/planners/cable_workspace/explain_workspace.h"
@@ -27,14 +28,43 @@ Ring RingOf(const Anchors& anchors, const std::vector<BoundarySide>& sides) {
   return ring;
 }
 
-/// The first pair of sides that cross, or a side that crosses itself.
-std::vector<std::size_t> FindCrossing(const TautSpace& space, const std::vector<Walk>& walks) {
+/// Whether segments cross by more than the rounding of ends beside slanted walls.
+bool CrossClearly(Point a, Point b, Point c, Point d, double tolerance) {
+  const double least = std::min(
+      {DistanceToSegment(a, c, d), DistanceToSegment(b, c, d), DistanceToSegment(c, a, b), DistanceToSegment(d, a, b)});
+  return least > tolerance && CrossProperly(a, b, c, d);
+}
+
+bool CurvesCross(const Polyline& a, const Polyline& b, double tolerance) {
+  for (std::size_t i = 0; i + 1 < a.size(); ++i) {
+    for (std::size_t k = 0; k + 1 < b.size(); ++k) {
+      if (CrossClearly(a[i], a[i + 1], b[k], b[k + 1], tolerance)) return true;
+    }
+  }
+  return false;
+}
+
+/// The first pair of sides that cross, or a side that crosses itself. What ends in the open crosses nothing by its
+/// class; its segments may.
+std::vector<std::size_t> FindCrossing(const TautSpace& space, const std::vector<Walk>& walks,
+                                      const std::vector<TautPath>& paths) {
+  std::vector<bool> is_open;
+  is_open.reserve(walks.size());
+  for (const Walk& walk : walks) {
+    is_open.push_back(!EndsOnBoundary(space, {walk.from, walk.sleeve.front()}) ||
+                      !EndsOnBoundary(space, {walk.at, walk.sleeve.back()}));
+  }
   std::vector<WalkSpots> spots;
   for (std::size_t i = 0; i < walks.size(); ++i) {
     spots.emplace_back(space, walks[i]);
     if (CablesCross(spots[i], spots[i])) return {i};
     for (std::size_t k = 0; k < i; ++k) {
       if (CablesCross(spots[k], spots[i])) return {k, i};
+    }
+    for (std::size_t k = 0; k <= i; ++k) {
+      if (!is_open[i] && !is_open[k]) continue;
+      if (!CurvesCross(paths[k].points, paths[i].points, space.tolerance())) continue;
+      return k == i ? std::vector{i} : std::vector{k, i};
     }
   }
   return {};
@@ -45,6 +75,13 @@ bool IsClosed(const CableGround& ground, const std::vector<Walk>& walks) {
   for (std::size_t i = 1; i < walks.size(); ++i) loop = Joined(ground.space().mesh(), loop, walks[i]);
   TAUTLINE_CHECK(TurnInto(ground.space().mesh(), walks[0].sleeve.front(), loop));
   return loop.sleeve.size() == 1;
+}
+
+/// Whether two walks end in one sector: where blocked ground touches, cables from both sides end at one point and do
+/// not meet.
+bool CanMeet(const FreeMesh& mesh, const Walk& first, const Walk& second) {
+  Walk turned(Place{second.at, second.sleeve.back()});
+  return TurnInto(mesh, first.sleeve.back(), turned);
 }
 
 }  // namespace
@@ -60,7 +97,7 @@ tl::expected<WorkspaceBoundary, BoundaryFault> CloseBoundary(const CableGround& 
     return tl::unexpected(std::move(found));
   };
   if (!IsClosed(ground, walks)) return fault(WorkspaceObstruction::kNotClosed, {});
-  if (auto crossing = FindCrossing(ground.space(), walks); !crossing.empty()) {
+  if (auto crossing = FindCrossing(ground.space(), walks, paths); !crossing.empty()) {
     return fault(WorkspaceObstruction::kCrossesItself, std::move(crossing));
   }
   WorkspaceBoundary boundary;
@@ -69,8 +106,9 @@ tl::expected<WorkspaceBoundary, BoundaryFault> CloseBoundary(const CableGround& 
     boundary.sides.push_back({paths[i], std::move(walks[i])});
   }
   boundary.ring = RingOf(anchors, boundary.sides);
-  if (DropCollinear(boundary.ring).size() < 3) return fault(WorkspaceObstruction::kNoArea, {});
   boundary.area = std::fabs(SignedArea(boundary.ring));
+  // Anchors in a line beside a slanted wall are off it by rounding.
+  if (!(boundary.area > ground.space().tolerance() * boundary.length)) return fault(WorkspaceObstruction::kNoArea, {});
   return boundary;
 }
 
@@ -92,9 +130,13 @@ tl::expected<std::vector<Walk>, BoundaryFault> FollowCables(const CableGround& g
     Polyline to_robot(laid[i].rbegin(), laid[i].rend());
     // Cables may start within rounding of one point; they have one end.
     to_robot.back() = robot->point;
-    const auto departure = ground.space().Follow(std::span(to_robot).subspan(1), walk);
+    // A cable whose robot is at the anchor may be that point alone.
+    const auto departure = ground.space().Follow(std::span(to_robot).subspan(to_robot.size() > 1 ? 1 : 0), walk);
     if (departure) return fault(WorkspaceObstruction::kLaidCableBlocked, i, departure->at);
     cables.push_back(*std::move(walk));
+    if (!CanMeet(ground.space().mesh(), cables.front(), cables.back())) {
+      return fault(WorkspaceObstruction::kLaidCableBlocked, i, robot->point);
+    }
   }
   return cables;
 }
@@ -167,7 +209,7 @@ std::vector<LongestCable> LongestCables(const CableGround& ground, const Anchors
     Walk walk = boundary.sides[i].walk;
     for (std::size_t k = NextAnchor(i, n); k != i; k = NextAnchor(k, n)) {
       TautPath path = ground.space().Pull(walk);
-      const double length = anchors[i].stub_length + path.length + anchors[k].stub_length;
+      const double length = anchors[i].stub_length + path.length;
       if (length > longest[i].length) longest[i] = {length, k, std::move(path)};
       walk = Joined(ground.space().mesh(), walk, boundary.sides[k].walk);
     }

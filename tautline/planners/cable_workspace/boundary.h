@@ -58,8 +58,11 @@ struct BoundaryFault {
 };
 
 /// Closes a boundary from one walk per anchor to the next. Valid when the walks multiply to the trivial class, no two
-/// sides cross (see CablesCross; weakly simple, that is) and some area is inside. `paths`: the sides pulled taut, where
-/// they are known already; by default they are pulled here. O(sides^2) comparisons of walks.
+/// sides cross (see CablesCross; weakly simple, that is) and some area is inside, more than the tolerance of the space
+/// times the length. `paths`: the sides pulled taut, where
+/// they are known already; by default they are pulled here. An anchor in the open has no side on which its curves end:
+/// they are refused where their segments cross others, but may cross at a corner that both bend around. O(sides^2)
+/// comparisons of walks.
 tl::expected<WorkspaceBoundary, BoundaryFault> CloseBoundary(const CableGround& ground, const Anchors& anchors,
                                                              std::vector<Walk> walks, std::vector<TautPath> paths = {});
 
@@ -80,11 +83,11 @@ tl::expected<WorkspaceBoundary, BoundaryFault> BoundaryOfWords(const CableGround
 /// The islands at which the boundary bends, in the order in which it first meets them; walls have none.
 std::vector<ObstacleId> TouchedIslands(const CableGround& ground, const WorkspaceBoundary& boundary);
 
-/// The longest cable that an anchor needs in the workspace: where the robot is at another anchor, since the taut length
-/// is convex in the cover. [Wang2018, Sec. IV-C.4]
+/// The longest cable that an anchor needs in the workspace: where the robot is at another anchor, or, with clearance,
+/// at its exit, since the taut length is convex in the cover. [Wang2018, Sec. IV-C.4]
 struct LongestCable {
-  double length = 0;         ///< With both stubs, metres.
-  std::size_t farthest = 0;  ///< The anchor at which the robot is then.
+  double length = 0;         ///< With the anchor's own stub, metres.
+  std::size_t farthest = 0;  ///< The anchor at whose exit the robot is then.
   TautPath path;             ///< The cable then, from exit to exit.
 };
 

@@ -26,10 +26,25 @@ Expected<CableGround> CableGround::Prepare(const World& world, const Watcher& wa
   }
 }
 
+namespace {
+
+/// Where a cable is tied. Corners of the free space are rounded to a grid, so that an anchor at a corner is off it by
+/// rounding, perhaps in a triangle that has none of the walls there: it is put where it is meant to be.
+std::optional<Socket> FindAnchor(const CableGround& ground, Point p) {
+  auto socket = FindSocket(ground.space(), ground.ungrown(), p);
+  if (!socket) return std::nullopt;
+  const auto place = ground.space().mesh().MoveOntoBoundary(socket->exit.point, ground.space().tolerance());
+  if (!place) return socket;
+  if (socket->stub_length > 0) return Socket{socket->base, *place, Distance(socket->base, place->point)};
+  return Socket{place->point, *place, 0};
+}
+
+}  // namespace
+
 tl::expected<Anchors, AnchorFault> PlaceAnchors(const CableGround& ground, std::span<const Point> points) {
   Anchors anchors;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto socket = FindSocket(ground.space(), ground.ungrown(), points[i]);
+    const auto socket = FindAnchor(ground, points[i]);
     if (!socket) {
       return tl::unexpected(AnchorFault{
           i,
@@ -42,7 +57,7 @@ tl::expected<Anchors, AnchorFault> PlaceAnchors(const CableGround& ground, std::
     }
     for (std::size_t k = 0; k < i; ++k) {
       if (Distance(anchors[k].exit.point, socket->exit.point) > 2 * ground.space().tolerance()) continue;
-      return tl::unexpected(AnchorFault{i, ToText(points[i]) + " stands where cables.anchors[" + std::to_string(k) +
+      return tl::unexpected(AnchorFault{i, ToText(points[i]) + " stands where cables.anchors[" + std::to_string(k + 1) +
                                                "] stands: give each winch a place of its own"});
     }
     anchors.push_back(*socket);

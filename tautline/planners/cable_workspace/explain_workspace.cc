@@ -64,6 +64,11 @@ std::string ExplainBoundary(const CableGround& ground, const Anchors& anchors, c
     case WorkspaceObstruction::kRobotBlocked:
       return "the robot " + ToText(*fault.at) + " stands " + Blocked(ground);
     case WorkspaceObstruction::kLaidCableBlocked:
+      if (const auto place = ground.space().Locate(*fault.at);
+          place && ground.space().mesh().Sectors(*place).size() > 1) {
+        return "the cable of anchor " + Number(fault.sides[0]) + " as laid cannot pass at " + ToText(*fault.at) +
+               ": blocked ground touches there";
+      }
       return "the cable of anchor " + Number(fault.sides[0]) + " as laid leaves the free ground at " +
              ToText(*fault.at) + ": that place is " + Blocked(ground);
     case WorkspaceObstruction::kAnchorsUnconnected:

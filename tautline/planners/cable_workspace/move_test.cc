@@ -101,6 +101,24 @@ TEST(PlanMove, AlongACableAndThroughItsCorner) {
   }
 }
 
+TEST(PlanMove, MayLeaveAWorkspaceOnlyAtAWinchInTheOpen) {
+  // The second winch stands in the middle of a room, the boundary runs over it, and the path below.
+  const World world{.outline = {{0, 0}, {10, 0}, {10, 8}, {0, 8}}};
+  const std::vector<Point> points{{0, 0}, {5, 4}, {10, 0}, {10, 8}, {0, 8}};
+  std::vector<Polyline> laid;
+  for (const Point p : points) laid.push_back({{5, 6}, p});
+  const auto ground = CableGround::Prepare(world).value();
+  const auto anchors = PlaceAnchors(ground, points).value();
+  const auto boundary = BoundaryOfCables(ground, anchors, laid).value();
+  const WorkspaceRegion region(ground, anchors, boundary);
+  const auto below = PlanMove(region, {1, 2}, {9, 2}), above = PlanMove(region, {1, 6}, {9, 4});
+  ASSERT_TRUE(below && above);
+  EXPECT_EQ(below->path.length, 8);
+  ASSERT_TRUE(below->outside);
+  EXPECT_NEAR(Distance(*below->outside, {2.5, 2}), 0, 1e-12);
+  EXPECT_FALSE(above->outside);
+}
+
 TEST(CheckMoveOptions, RefusesWhatCannotBeMeant) {
   EXPECT_TRUE(CheckMoveOptions({}, 4));
   EXPECT_TRUE(CheckMoveOptions({.winch_limits = {1, 2, 3, 4}}, 4));
@@ -266,6 +284,8 @@ TEST_P(RandomMoves, PathsAreAsLongBackAndNeverShorterThanStraight) {
     EXPECT_NEAR(back->path.length, move.path.length, 1e-9);
     EXPECT_NEAR(back->duration_s, move.duration_s, 1e-9 * (1 + move.duration_s));
     EXPECT_GE(move.path.length, Distance(start, goal) * (1 - 1e-12));
+    // All winches stand on walls.
+    EXPECT_FALSE(move.outside);
     EXPECT_NEAR(move.pieces.back().begin_m + move.pieces.back().profile.length_m(), move.path.length, 1e-9);
     if (FirstOutside(region, Polyline{start, goal}) || move.outside) return;
     // Seen from each other within a workspace without obstacles inside; sheets apart where the boundary touches itself.

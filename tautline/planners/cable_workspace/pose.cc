@@ -9,17 +9,25 @@
 namespace tautline {
 namespace {
 
-/// The corners towards which cables pull, sorted counter-clockwise around the robot, by angle.
+/// The corner towards which a cable pulls, and the angle of its direction, from 0 to a whole turn.
 struct Pull {
   double angle;
   Point towards;
 };
 
+/// Whether a comes before b counter-clockwise from the x axis. Exact, unlike the angles.
+bool Before(Point robot, Point a, Point b) {
+  const auto is_below = [robot](Point p) { return p.y < robot.y || (p.y == robot.y && p.x < robot.x); };
+  if (is_below(a) != is_below(b)) return is_below(b);
+  return Orientation(robot, a, b) > 0;
+}
+
 /// The widest gap, and whether all gaps are less than a half turn, by the corners themselves.
 void FindGap(std::vector<Pull> pulls, Point robot, Pose& pose) {
   pose.largest_gap = 2 * std::numbers::pi;
   if (pulls.empty()) return;
-  std::sort(pulls.begin(), pulls.end(), [](const Pull& a, const Pull& b) { return a.angle < b.angle; });
+  std::sort(pulls.begin(), pulls.end(),
+            [robot](const Pull& a, const Pull& b) { return Before(robot, a.towards, b.towards); });
   pose.largest_gap = 0;
   pose.spans = true;
   for (std::size_t i = 0; i < pulls.size(); ++i) {
@@ -53,7 +61,8 @@ Pose LookAtPose(const WorkspaceRegion& region, Point at) {
     if (points.size() > 1 && points[points.size() - 2] != robot) {
       const Point towards = points[points.size() - 2];
       cable.direction = (1 / Distance(robot, towards)) * (towards - robot);
-      pulls.push_back({std::atan2(cable.direction->y, cable.direction->x), towards});
+      const double angle = std::atan2(cable.direction->y, cable.direction->x);
+      pulls.push_back({angle < 0 ? angle + 2 * std::numbers::pi : angle, towards});
     }
     pose.cables.push_back(std::move(cable));
   }

@@ -19,7 +19,7 @@ struct PoseCable {
 /// The robot at a pose. [Wang2018, Sec. III-A to III-C]
 struct Pose {
   Containment position = Containment::kOutside;  ///< By the boundary.
-  std::vector<PoseCable> cables;           ///< By anchor; empty outside.
+  std::vector<PoseCable> cables;                 ///< By anchor; empty outside.
   bool spans = false;      ///< The cables pull in directions that positively span the plane: it can move any way.
   double largest_gap = 0;  ///< The widest angle between neighbouring directions, radians; pi and more do not span.
   double margin = 0;       ///< The least, over all directions, of the share with which the best cable pulls that way:

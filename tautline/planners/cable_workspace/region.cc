@@ -51,28 +51,49 @@ std::optional<Walk> WorkspaceRegion::WayAlong(std::size_t side, std::size_t segm
   return walk;
 }
 
+double WorkspaceRegion::ReachOfWays(Point p, Containment position) const {
+  const double tolerance = ground_.space().tolerance();
+  if (position != Containment::kInside) return tolerance;
+  double nearest = std::numeric_limits<double>::infinity();
+  ForEachPiece(boundary_, [&](std::size_t, std::size_t, Point a, Point b) {
+    nearest = std::min(nearest, DistanceToSegment(p, a, b));
+  });
+  return nearest + tolerance;
+}
+
+bool WorkspaceRegion::GoesAround(const Walk& way) const {
+  Ring towards;
+  for (std::size_t i = 0; i < anchors_.size(); ++i) {
+    const TautCurve cable = PullTaut(ground_.space().mesh(), CableTo(i, way));
+    if (cable.points.size() > 1) towards.push_back(cable.points[cable.points.size() - 2].point);
+  }
+  const Winding winding = WindingNumber(towards, way.at);
+  return winding.number != 0 && !winding.on_boundary;
+}
+
 std::vector<Walk> WorkspaceRegion::WaysTo(Point p) const {
   const Containment position = Classify(p);
   const auto place = ground_.space().Locate(p);
   if (position == Containment::kOutside || !place) return {};
   // A point on the boundary is reached along every piece that it lies on, one inside from the nearest piece.
-  double reach = ground_.space().tolerance();
-  if (position == Containment::kInside) {
-    reach = std::numeric_limits<double>::infinity();
-    ForEachPiece(boundary_, [&](std::size_t, std::size_t, Point a, Point b) {
-      reach = std::min(reach, DistanceToSegment(place->point, a, b));
-    });
-  }
+  const double reach = ReachOfWays(place->point, position);
+  const auto sectors = ground_.space().mesh().Sectors(*place);
+  const auto settle = [&](Walk& way) {
+    return std::any_of(sectors.begin(), sectors.end(),
+                       [&](const Place& sector) { return TurnInto(ground_.space().mesh(), sector.triangle, way); });
+  };
   std::vector<Walk> ways;
   ForEachPiece(boundary_, [&](std::size_t side, std::size_t segment, Point a, Point b) {
     if (DistanceToSegment(p, a, b) > reach && DistanceToSegment(place->point, a, b) > reach) return;
-    if (position == Containment::kInside && !ways.empty()) return;
     auto way = WayAlong(side, segment, NearestOnSegment(place->point, a, b), place->point);
-    if (!way || !TurnInto(ground_.space().mesh(), place->triangle, *way)) return;
+    if (!way || !settle(*way)) return;
     const auto same = [&way](const Walk& other) { return other.sleeve == way->sleeve; };
     if (std::none_of(ways.begin(), ways.end(), same)) ways.push_back(*std::move(way));
   });
-  return ways;
+  if (position != Containment::kInside || ways.size() < 2) return ways;
+  // The boundary touches itself where it is nearest, and p is on one side of that.
+  const auto way = std::find_if(ways.begin(), ways.end(), [this](const Walk& w) { return GoesAround(w); });
+  return {way == ways.end() ? ways.front() : *way};
 }
 
 Walk WorkspaceRegion::CableTo(std::size_t anchor, const Walk& way) const {

@@ -24,7 +24,7 @@ class WorkspaceRegion {
 
   /// The ways from the first anchor's exit to p that stay in the workspace, up to deformation: none when p is outside
   /// (or on a stub, where no robot can be), one as a rule, and one from each side where the boundary touches itself.
-  /// All end in the same triangle. O(n + triangles crossed).
+  /// All end in the same triangle, one for each sector where blocked ground touches. O(n + triangles crossed).
   std::vector<Walk> WaysTo(Point p) const;
 
   /// The cable of an anchor to the end of a way from the first anchor: its class, from the anchor's exit on.
@@ -41,6 +41,13 @@ class WorkspaceRegion {
   const WorkspaceBoundary& boundary() const { return boundary_; }
 
  private:
+  /// How far away, metres, a piece of the boundary may be from which p is reached.
+  double ReachOfWays(Point p, Containment position) const;
+
+  /// Whether the boundary goes around the end of a way in the cover. The cables' pulls there turn by less than a half
+  /// turn from one anchor to the next, and by a whole turn in all just when it does.
+  bool GoesAround(const Walk& way) const;
+
   std::optional<Walk> WayAlong(std::size_t side, std::size_t segment, Point on_boundary, Point p) const;
 
   const CableGround& ground_;

@@ -30,10 +30,12 @@ struct RegionPath {
 /// to each. One taut curve per pair.
 RegionPath ShortestPath(const WorkspaceRegion& region, std::span<const Walk> from_ways, std::span<const Walk> to_ways);
 
-/// The first place at which a path leaves the workspace; nothing as a rule. A workspace bends inwards at obstacles
-/// alone, which a taut path does not cross, unless the corner at an anchor is wider than a half turn: there the
-/// shortest path between two places may lead across a side, outwards and in again. Places within the tolerance of the
-/// space count as inside. O(points of the path * (corners of the boundary + crossings)).
+/// The first place at which a path leaves the workspace; nothing as a rule. Where all anchors stand on the boundary of
+/// the free ground, each side cuts the cover in two, and a taut curve, which crosses another one once at most, does not
+/// leave and come back. An anchor in the open, at which the boundary turns inwards, lets it out on one of its sides and
+/// in on the other. Places within the tolerance of the space count as inside. O(points of the path * (corners of the
+/// boundary
+/// + crossings)).
 std::optional<Point> FirstOutside(const WorkspaceRegion& region, std::span<const Point> path);
 
 }  // namespace tautline

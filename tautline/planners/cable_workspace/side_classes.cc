@@ -14,6 +14,26 @@ bool CrossInside(Point a, Point b, Point c, Point d) {
   return Orientation(a, b, c) * Orientation(a, b, d) < 0 && Orientation(c, d, a) * Orientation(c, d, b) < 0;
 }
 
+bool IsOnRing(const TautSpace& space, const BoundaryRing& ring, Point p) {
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    const Point a = ring.points[i], b = ring.points[(i + 1) % ring.points.size()];
+    if (DistanceToSegment(p, a, b) <= space.tolerance()) return true;
+  }
+  return false;
+}
+
+/// On the ring around a component, and on none around blocked ground inside of one.
+bool IsOnOuterWall(const TautSpace& space, Point p) {
+  bool outer = false;
+  for (const FreeComponent& component : space.free_space().components) {
+    outer = outer || IsOnRing(space, component.outer, p);
+    for (const BoundaryRing& hole : component.holes) {
+      if (IsOnRing(space, hole, p)) return false;
+    }
+  }
+  return outer;
+}
+
 /// Depth first along taut walks.
 class SideListing {
  public:
@@ -26,7 +46,8 @@ class SideListing {
         options_(options),
         edge_refunds_(graph.RefundOfEdges(tolls)),
         cheapest_(graph.CheapestFromCorners(tolls, side)),
-        field_(space, to_) {
+        field_(space, to_),
+        is_passed_(space.graph().stances(), false) {
     field_.GrowTo(options.max_length);
   }
 
@@ -57,6 +78,10 @@ class SideListing {
     options_.budget->Spend();
     const Point at = space_.corners()[corner].point, before = points_.back();
     if (spent.length - spent.refund + cheapest_[corner.index()] > options_.max_cost || CrossesItself(at)) return;
+    const std::size_t stance = StanceOf(corner, head).index();
+    if (options_.drop_loops && is_passed_[stance]) return;
+    const bool was_passed = is_passed_[stance];
+    is_passed_[stance] = true;
     points_.push_back(at);
     if (const auto leg = field_.LastLeg(corner, head, before); leg && !CrossesItself(to_.point)) {
       Finish({spent.length + *leg, spent.refund + RefundOf(space_, tolls_, std::vector{at, to_.point})});
@@ -68,6 +93,7 @@ class SideListing {
       Visit(edge.to, edge.head, space_.graph().Onward(id), {length, spent.refund + edge_refunds_[id.index()]});
     }
     points_.pop_back();
+    is_passed_[stance] = was_passed;
   }
 
   bool CrossesItself(Point next) const {
@@ -93,11 +119,16 @@ class SideListing {
   std::vector<double> edge_refunds_;
   std::vector<double> cheapest_;  ///< From each corner.
   GoalField field_;
-  Polyline points_;  ///< So far.
+  std::vector<bool> is_passed_;  ///< By stance.
+  Polyline points_;              ///< So far.
   std::vector<TautPath> found_;
 };
 
 }  // namespace
+
+bool LoopsCross(const TautSpace& space, const Place& from, const Place& to) {
+  return IsOnOuterWall(space, from.point) && IsOnOuterWall(space, to.point);
+}
 
 std::vector<TautPath> ListSideClasses(const TautSpace& space, const Anchors& anchors, std::size_t side,
                                       const TollGraph& graph, const RayTolls& tolls, const SideClassOptions& options) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <compare>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "tautline/geometry/polygon.h"
+#include "tautline/geometry/predicates.h"
 
 namespace tautline {
 namespace {
@@ -54,6 +56,24 @@ Spot SpotTowards(const FreeMesh& mesh, TriangleId from, TriangleId to) {
   return {};
 }
 
+/// Whether a walk ends in the open on the edge that leads into its last triangle: it does not pass what runs along that
+/// edge.
+bool EndsOnEdge(const Ground& ground, TriangleId before, TriangleId last, Point end) {
+  if (EndSpot(ground, last, end)) return false;
+  const int i = ground.mesh.triangle(last).IndexOf(before);
+  return OnSegment(ground.mesh.triangulation().corner(last, Next(i)),
+                   ground.mesh.triangulation().corner(last, Previous(i)), end);
+}
+
+/// The triangles of a walk, without those that it only touches at its ends.
+std::span<const TriangleId> PassedTriangles(const Ground& ground, const Walk& walk) {
+  std::span<const TriangleId> passed = walk.sleeve.triangles();
+  std::size_t n = passed.size();
+  if (n > 1 && EndsOnEdge(ground, passed[n - 2], passed[n - 1], walk.at)) passed = passed.first(--n);
+  if (n > 1 && EndsOnEdge(ground, passed[1], passed[0], walk.from)) passed = passed.subspan(1);
+  return passed;
+}
+
 /// Counter-clockwise from `from`: -1 when a comes before b, 1 after, 0 when they are one or one is unknown.
 int CompareFrom(Spot from, const std::optional<Spot>& a, const std::optional<Spot>& b) {
   if (!a || !b || *a == *b) return 0;
@@ -71,9 +91,10 @@ bool Alternate(const std::optional<Spot>& a, const std::optional<Spot>& b, const
 
 }  // namespace
 
-WalkSpots::WalkSpots(const TautSpace& space, const Walk& walk)
-    : triangles_(walk.sleeve.triangles().begin(), walk.sleeve.triangles().end()) {
+WalkSpots::WalkSpots(const TautSpace& space, const Walk& walk) {
   const Ground ground{space.mesh(), space.tolerance()};
+  const auto passed = PassedTriangles(ground, walk);
+  triangles_.assign(passed.begin(), passed.end());
   const auto add = [this](const std::optional<Spot>& spot, double& along) {
     spots_.push_back(spot ? static_cast<std::uint8_t>(spot->at) : kUnknown);
     if (spot) along = spot->along;
