@@ -39,9 +39,9 @@ def moved(value, shift, key=""):
 
 
 def moved_command(command, shift):
-    """The points of --from and --to move, too."""
+    """The points of --from, --to and --at move, too."""
     command = list(command)
-    for option in ("--from", "--to"):
+    for option in ("--from", "--to", "--at"):
         if option in command:
             i = command.index(option) + 1
             x, y = map(float, command[i].split(","))

@@ -40,8 +40,9 @@ void Rank(std::vector<WorkspaceBoundary> boundaries, std::size_t most, BestAnswe
   for (RankedBoundary& ranked : answer.ranked) {
     ranked.futures = carrier.Carry(ranked.boundary, {.longest_cables = false});
   }
-  std::stable_sort(answer.ranked.begin(), answer.ranked.end(), [](const RankedBoundary& a, const RankedBoundary& b) {
-    return a.futures->expected_area > b.futures->expected_area;
+  const auto expected = [](const RankedBoundary& ranked) { return ranked.futures ? ranked.futures->expected_area : 0; };
+  std::stable_sort(answer.ranked.begin(), answer.ranked.end(), [&](const RankedBoundary& a, const RankedBoundary& b) {
+    return expected(a) > expected(b);
   });
   if (answer.ranked.size() > most) answer.ranked.resize(most);
   for (RankedBoundary& ranked : answer.ranked) ranked.futures = carrier.Carry(ranked.boundary);
@@ -83,6 +84,7 @@ void Print(const BestQuestion& question, const BoundaryList& list, BestAnswer& a
   json["max_boundary"] = answer.max_boundary;
   json["found"] = answer.found;
   json["complete"] = answer.complete;
+  if (!answer.complete) json["complete_to"] = list.complete_length;
   json["boundaries"] = Json::array();
   for (const RankedBoundary& ranked : answer.ranked) json["boundaries"].push_back(RankedJson(answer, ranked, values));
   if (!question.longer_to) return;

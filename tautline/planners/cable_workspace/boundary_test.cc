@@ -51,7 +51,7 @@ class BoundaryRandom : public testing::TestWithParam<bool> {
     for (std::int64_t seed = 0; seed < ScaledTestCount(count); ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed));
       Rng rng(static_cast<std::uint64_t>(seed));
-      const RandomWorkspace workspace = MakeRandomWorkspace(rng, GetParam());
+      const RandomCableWorkspace workspace = MakeRandomCableWorkspace(rng, GetParam());
       visit(rng, workspace);
     }
   }
@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Families, BoundaryRandom, testing::Bool(),
                          [](const auto& suite) { return suite.param ? "Lattice" : "Separated"; });
 
 TEST_P(BoundaryRandom, GoesOnceAroundAnAreaWithoutObstacles) {
-  ForEachWorkspace(600, [](Rng&, const RandomWorkspace& workspace) {
+  ForEachWorkspace(600, [](Rng&, const RandomCableWorkspace& workspace) {
     const WorkspaceBoundary& boundary = workspace.boundary;
     EXPECT_NEAR(AreaBySlabs(boundary.ring), boundary.area, 1e-9 * std::max(1.0, boundary.area));
     EXPECT_GT(boundary.area, 0);
@@ -72,7 +72,7 @@ TEST_P(BoundaryRandom, GoesOnceAroundAnAreaWithoutObstacles) {
 }
 
 TEST_P(BoundaryRandom, HasSidesOfTheClassesOfTheCables) {
-  ForEachWorkspace(600, [](Rng&, const RandomWorkspace& workspace) {
+  ForEachWorkspace(600, [](Rng&, const RandomCableWorkspace& workspace) {
     const auto& [cables, boundary] = workspace;
     ClassOracle reader({}, cables.scene.representatives, {});
     double length = 0;
@@ -99,7 +99,7 @@ std::vector<Word> WordsOf(const WorkspaceBoundary& boundary) {
 }
 
 TEST_P(BoundaryRandom, IsFoundByItsWords) {
-  ForEachWorkspace(600, [](Rng&, const RandomWorkspace& workspace) {
+  ForEachWorkspace(600, [](Rng&, const RandomCableWorkspace& workspace) {
     const auto& [cables, boundary] = workspace;
     const auto again = BoundaryOfWords(cables.ground, cables.anchors, WordsOf(boundary));
     ASSERT_TRUE(again) << again.error().explanation;
@@ -112,7 +112,7 @@ TEST_P(BoundaryRandom, IsFoundByItsWords) {
 }
 
 TEST_P(BoundaryRandom, IsNotClosedWithAnotherWord) {
-  ForEachWorkspace(300, [](Rng& rng, const RandomWorkspace& workspace) {
+  ForEachWorkspace(300, [](Rng& rng, const RandomCableWorkspace& workspace) {
     const auto& [cables, boundary] = workspace;
     const auto islands = static_cast<int>(cables.scene.representatives.size());
     if (islands == 0) return;
@@ -146,7 +146,7 @@ tl::expected<WorkspaceBoundary, BoundaryFault> MappedBoundary(const RandomCables
 }
 
 TEST_P(BoundaryRandom, HasFourTimesTheAreaAtTwiceTheSize) {
-  ForEachWorkspace(300, [](Rng&, const RandomWorkspace& workspace) {
+  ForEachWorkspace(300, [](Rng&, const RandomCableWorkspace& workspace) {
     const auto& [cables, boundary] = workspace;
     const auto twice = MappedBoundary(cables, cables.scene.world, [](Point p) { return 2 * p; });
     ASSERT_TRUE(twice) << twice.error().explanation;
@@ -157,7 +157,7 @@ TEST_P(BoundaryRandom, HasFourTimesTheAreaAtTwiceTheSize) {
 }
 
 TEST_P(BoundaryRandom, IsTheSameInAMirror) {
-  ForEachWorkspace(300, [](Rng&, const RandomWorkspace& workspace) {
+  ForEachWorkspace(300, [](Rng&, const RandomCableWorkspace& workspace) {
     const auto& [cables, boundary] = workspace;
     const auto mirrored = MappedBoundary(cables, cables.scene.world, [](Point p) { return Point{16 - p.x, p.y}; });
     ASSERT_TRUE(mirrored) << mirrored.error().explanation;

@@ -53,7 +53,7 @@ TEST_P(PoseRandom, SpansInsideAndByHalfPlanesAnywhere) {
   for (std::int64_t seed = 0; seed < ScaledTestCount(300); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(static_cast<std::uint64_t>(seed));
-    const auto [cables, boundary] = MakeRandomWorkspace(rng, GetParam());
+    const auto [cables, boundary] = MakeRandomCableWorkspace(rng, GetParam());
     const WorkspaceRegion region(cables.ground, cables.anchors, boundary);
     for (int k = 0; k < 20; ++k) {
       const std::size_t corner = rng.Next() % boundary.ring.size();

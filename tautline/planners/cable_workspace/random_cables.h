@@ -119,12 +119,12 @@ inline RandomCables MakeRandomCables(Rng& rng, bool lattice) {
 }
 
 /// Random cables that make a valid boundary, and that.
-struct RandomWorkspace {
+struct RandomCableWorkspace {
   RandomCables cables;
   WorkspaceBoundary boundary;
 };
 
-inline RandomWorkspace MakeRandomWorkspace(Rng& rng, bool lattice) {
+inline RandomCableWorkspace MakeRandomCableWorkspace(Rng& rng, bool lattice) {
   for (;;) {
     RandomCables cables = MakeRandomCables(rng, lattice);
     auto boundary = BoundaryOfCables(cables.ground, cables.anchors, cables.laid);

@@ -33,7 +33,7 @@ class RegionRandom : public testing::TestWithParam<bool> {
     for (std::int64_t seed = 0; seed < ScaledTestCount(count); ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed));
       Rng rng(static_cast<std::uint64_t>(seed));
-      const RandomWorkspace workspace = MakeRandomWorkspace(rng, GetParam());
+      const RandomCableWorkspace workspace = MakeRandomCableWorkspace(rng, GetParam());
       const WorkspaceRegion region(workspace.cables.ground, workspace.cables.anchors, workspace.boundary);
       visit(rng, workspace, region);
     }
@@ -58,7 +58,7 @@ Point SomePoint(Rng& rng, const WorkspaceBoundary& boundary) {
 }
 
 TEST_P(RegionRandom, ClassifiesByTheWindingNumber) {
-  ForEachRegion(300, [](Rng& rng, const RandomWorkspace& workspace, const WorkspaceRegion& region) {
+  ForEachRegion(300, [](Rng& rng, const RandomCableWorkspace& workspace, const WorkspaceRegion& region) {
     const Ring& ring = workspace.boundary.ring;
     for (int k = 0; k < 50; ++k) {
       const Point p = SomePoint(rng, workspace.boundary);
@@ -87,7 +87,7 @@ std::vector<TautPath> CablesTo(const WorkspaceRegion& region, const Walk& way) {
 // A cable in another class would have to leave the workspace, and its pulls would not go around the robot.
 TEST_P(RegionRandom, KeepsCablesInTheWorkspace) {
   std::int64_t inside = 0;
-  ForEachRegion(300, [&inside](Rng& rng, const RandomWorkspace& workspace, const WorkspaceRegion& region) {
+  ForEachRegion(300, [&inside](Rng& rng, const RandomCableWorkspace& workspace, const WorkspaceRegion& region) {
     for (int k = 0; k < 30; ++k) {
       const Point p = SomePoint(rng, workspace.boundary);
       const auto ways = region.WaysTo(p);
@@ -120,7 +120,7 @@ TEST_P(RegionRandom, KeepsCablesInTheWorkspace) {
 // The robot as the cables are laid is in the workspace when their pulls go around it; then these are its cables.
 TEST_P(RegionRandom, HasTheLaidCables) {
   std::int64_t inside = 0;
-  ForEachRegion(1000, [&inside](Rng&, const RandomWorkspace& workspace, const WorkspaceRegion& region) {
+  ForEachRegion(1000, [&inside](Rng&, const RandomCableWorkspace& workspace, const WorkspaceRegion& region) {
     const RandomCables& cables = workspace.cables;
     std::vector<TautPath> laid;
     const auto walks = FollowCables(cables.ground, cables.anchors, cables.laid).value();
@@ -144,7 +144,7 @@ TEST_P(RegionRandom, HasTheLaidCables) {
 }
 
 TEST_P(RegionRandom, NeedsNoLongerCableThanBetweenAnchors) {
-  ForEachRegion(200, [](Rng& rng, const RandomWorkspace& workspace, const WorkspaceRegion& region) {
+  ForEachRegion(200, [](Rng& rng, const RandomCableWorkspace& workspace, const WorkspaceRegion& region) {
     const auto& [cables, boundary] = workspace;
     const auto longest = LongestCables(cables.ground, cables.anchors, boundary);
     for (int k = 0; k < 50; ++k) {
