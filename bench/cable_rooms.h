@@ -28,9 +28,9 @@ struct RandomRoomOptions {
   std::uint64_t seed = 1;
 };
 
-/// 200 m x 200 m with stars of 4 m to 10 m, at random at least 6 m apart and 6 m away from the walls, and winches evenly
-/// around the walls, the first one in a corner. The same options give the same room; fewer obstacles are the first ones
-/// of more.
+/// 200 m x 200 m with stars of 4 m to 10 m, at random at least 6 m apart and 6 m away from the walls, and winches
+/// evenly around the walls, the first one in a corner. The same options give the same room; fewer obstacles are the
+/// first ones of more.
 CableRoom RandomCableRoom(const RandomRoomOptions& options);
 
 /// A room that is ready to be asked.

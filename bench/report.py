@@ -19,6 +19,10 @@ SERIES_HOLES = ("10", "30", "100", "300", "1000", "3000")
 TETHERS = ("2000", "3000", "4000", "5000", "6000", "7000", "8000")
 MAPS = (("willow", "Willow Garage"), ("intel", "Intel Research Lab"), ("depot", "depot"))
 CDT = (("maze", "MAZE"), ("mess", "MESS"))
+LOOPS = ("1000", "1100", "1200", "1300")
+ANCHORS = ("3", "4", "6", "8", "12", "16", "24")
+OBSTACLES = ("3", "5", "10", "15", "20", "25", "30")
+SHARES = ("1", "2", "3", "4", "5", "6", "8")
 
 
 def processor():
@@ -185,6 +189,45 @@ def growth_classes(results):
     return table(["tether", "classes", "tautline", "per class", "memory of the answer", "h-augmented peer", "ratio"], rows)
 
 
+def workspace_loops(results):
+    rows = []
+    for limit in LOOPS:
+        name = f"workspace/loops/{limit}"
+        v = lambda counter: results.value(name, counter)
+        own = results.time(name)
+        bound = "> " if v("gave_up") else ""
+        peers = [text for counter in ("whole", "partial")
+                 for text in (bound + seconds(v(counter)), bound + times(v(counter) / own))]
+        rows.append([f"{v('length'):.0f} m", digits(v("boundaries")), count(v("classes")), count(v("possible")),
+                     seconds(own), *peers])
+    return table(["up to", "boundaries", "classes of the peer", "combinations", "tautline", "Algorithm 2 as printed", "ratio",
+                  "with partial products", "ratio"], rows)
+
+
+def workspace_rows(results, names, head, first):
+    rows = []
+    for name in names:
+        v = lambda counter: results.value(name, counter)
+        own = results.time(name)
+        rows.append([first(v), f"{v('length'):.0f} m", count(v("boundaries")), seconds(own),
+                     seconds(own / v("boundaries"))])
+    return table([head, "up to", "boundaries", "time", "per boundary"], rows)
+
+
+def workspace_anchors(results):
+    return workspace_rows(results, [f"workspace/anchors/{n}" for n in ANCHORS], "anchors", lambda v: count(v("anchors")))
+
+
+def workspace_obstacles(results):
+    return workspace_rows(results, [f"workspace/obstacles/{n}" for n in OBSTACLES], "obstacles",
+                          lambda v: count(v("obstacles")))
+
+
+def workspace_length(results):
+    return workspace_rows(results, [f"workspace/length/{n}" for n in SHARES], "longer than the shortest by up to",
+                          lambda v: f"{100 * v('share'):.0f} %")
+
+
 def chart_triangulation(results):
     chart = LineChart("Constrained triangulation", "vertices", "time to build", count, seconds)
     for name, counter in (("tautline, with locator", "build"), ("CGAL", "cgal_build")):
@@ -220,12 +263,45 @@ def chart_classes(results):
     return chart
 
 
+def chart_workspace(results):
+    chart = LineChart("All valid boundaries of a cable workspace", "boundaries found", "processor time", count, seconds)
+    for name, series in (("more length, 8 anchors, 20 obstacles", [f"workspace/length/{n}" for n in SHARES]),
+                         ("more obstacles, 8 anchors, 2 % length", [f"workspace/obstacles/{n}" for n in OBSTACLES]),
+                         ("more anchors, 10 obstacles, 5 % length", [f"workspace/anchors/{n}" for n in ANCHORS])):
+        chart.add(name, [(results.value(n, "boundaries"), results.time(n)) for n in series])
+    return chart
+
+
+def chart_workspace_growth(results):
+    chart = LineChart("Cable workspaces: time over anchors and over obstacles", "anchors or obstacles", "processor time",
+                      count, seconds)
+    for name, counter, series in (
+            ("anchors, 10 obstacles, up to 5 % longer than the shortest", "anchors",
+             [f"workspace/anchors/{n}" for n in ANCHORS]),
+            ("obstacles, 8 anchors, up to 2 % longer", "obstacles", [f"workspace/obstacles/{n}" for n in OBSTACLES])):
+        chart.add(name, [(results.value(n, counter), results.time(n)) for n in series])
+    return chart
+
+
+def chart_workspace_loops(results):
+    chart = LineChart("Four anchors, three obstacles", "combinations of classes", "processor time", count, seconds)
+    names = [f"workspace/loops/{limit}" for limit in LOOPS]
+    chart.add("tautline", [(results.value(n, "possible"), results.time(n)) for n in names])
+    for name, counter in (("Algorithm 2 as printed", "whole"), ("with partial products", "partial")):
+        chart.add(name, [(results.value(n, "possible"), results.value(n, counter)) for n in names
+                         if not results.value(n, "gave_up")])
+    return chart
+
+
 TABLES = {"machine": machine, "triangulation": triangulation, "visibility": visibility,
           "funnel": funnel, "classes": classes, "plans": plans, "real_maps": real_maps, "real_peers": real_peers,
           "growth_vertices": growth_vertices, "growth_holes": growth_holes, "growth_tether": growth_tether,
-          "growth_classes": growth_classes}
+          "growth_classes": growth_classes, "workspace_loops": workspace_loops, "workspace_anchors": workspace_anchors,
+          "workspace_obstacles": workspace_obstacles, "workspace_length": workspace_length}
 CHARTS = {"performance_triangulation": chart_triangulation, "performance_vertices": chart_vertices,
-          "performance_holes": chart_holes, "performance_classes": chart_classes}
+          "performance_holes": chart_holes, "performance_classes": chart_classes,
+          "performance_workspace": chart_workspace, "performance_workspace_growth": chart_workspace_growth,
+          "performance_workspace_loops": chart_workspace_loops}
 
 
 def with_table(page, name, text):

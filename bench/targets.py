@@ -70,4 +70,11 @@ def all_targets():
     command = f"`make bench FILTER={large}`"
     targets.append(Target("100,000 vertices, 5,000 obstacles: preparation", at(large, "prepare"), 10, command=command))
     targets.append(Target("100,000 vertices, 5,000 obstacles: plan, median", at(large, "plan"), 0.05, command=command))
+    command = "`make bench FILTER=workspace/loops`"
+    for limit in ("1200", "1300"):
+        name = f"workspace/loops/{limit}"
+        targets.append(Target(f"boundaries up to {limit} m, 4 anchors, 3 obstacles; Algorithm 2 as printed",
+                              lambda r, n=name: r.value(n, "whole") / r.time(n), 100, times, command, True))
+    targets.append(Target("boundaries up to 2 % longer than the shortest, 8 anchors, 20 obstacles",
+                          time_of("workspace/length/2"), 1, command="`make bench FILTER=workspace/length`"))
     return targets

@@ -87,9 +87,9 @@ void AddOutside(const OutsideFault& fault, Json& json) {
   if (!fault.tasks.empty()) json["tasks"] = fault.tasks;
 }
 
-std::vector<std::string> BoundaryFaults(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary) {
+std::vector<std::string> BoundaryFaults(const CableGround& ground, const WorkspaceBoundary& boundary) {
   std::vector<std::string> faults;
-  const FreeSpace& space = setup.ground.space().free_space();
+  const FreeSpace& space = ground.space().free_space();
   Word product;
   for (std::size_t i = 0; i < boundary.sides.size(); ++i) {
     for (const std::string& fault : CurveFaults(space, boundary.sides[i].path)) {

@@ -40,7 +40,10 @@ void AddFault(const WorkspaceSetup& setup, const BoundaryFault& fault, const Jso
 void AddOutside(const OutsideFault& fault, Json& json);
 
 /// Every fault of the sides as taut curves, and of their product.
-std::vector<std::string> BoundaryFaults(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary);
+std::vector<std::string> BoundaryFaults(const CableGround& ground, const WorkspaceBoundary& boundary);
+inline std::vector<std::string> BoundaryFaults(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary) {
+  return BoundaryFaults(setup.ground, boundary);
+}
 
 }  // namespace tautline
 

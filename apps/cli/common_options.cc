@@ -30,7 +30,7 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options) {
       ->check(NonNegative());
   command
       .add_option("--threads", options.threads,
-                  "the most threads to use, for --goals and --field; the answer does not depend on it")
+                  "the most threads to use, for --goals, --field and places; the answer does not depend on it")
       ->check(AtLeastOne());
   command.add_option("--seed", options.seed, "the seed of everything random");
 }
@@ -110,6 +110,11 @@ Expected<Scene> ReadScene(const CommonOptions& options, const std::string& other
     if (const auto error = OutputIsInput(options, map.string())) return tl::unexpected(*error);
   }
   return scene;
+}
+
+Expected<void> KeepInput(const CommonOptions& options, const std::string& input) {
+  const auto error = OutputIsInput(options, input);
+  return error ? tl::unexpected(*error) : Expected<void>{};
 }
 
 Expected<int> Deliver(const CommonOptions& options, const Answer& answer) {

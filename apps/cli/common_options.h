@@ -38,6 +38,9 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options);
 /// scene, its map, the prepared map or `other_input` (a path; may be empty).
 [[nodiscard]] Expected<Scene> ReadScene(const CommonOptions& options, const std::string& other_input = "");
 
+/// That no output would replace this input (a path; may be empty).
+[[nodiscard]] Expected<void> KeepInput(const CommonOptions& options, const std::string& input);
+
 /// What a command found, in the forms in which it can be handed out.
 struct Answer {
   const nlohmann::ordered_json& json;

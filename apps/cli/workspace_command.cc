@@ -10,8 +10,8 @@ Run AddWorkspace(CLI::App& app) {
   sub->footer(
       "Example:\n  tautline workspace boundary scenes/workspace.yaml --svg workspace.svg\n"
       "`tautline workspace COMMAND --help` tells more.");
-  return AddNested(*sub,
-                   {AddWorkspaceBoundary, AddWorkspacePose, AddWorkspaceBest, AddWorkspaceMove, AddWorkspaceTour});
+  return AddNested(*sub, {AddWorkspaceBoundary, AddWorkspacePose, AddWorkspaceBest, AddWorkspaceMove, AddWorkspaceTour,
+                          AddWorkspacePlace, AddWorkspaceMerge});
 }
 
 }  // namespace tautline::cli

@@ -10,6 +10,8 @@ Run AddWorkspaceBest(CLI::App& workspace);
 Run AddWorkspaceBoundary(CLI::App& workspace);
 Run AddWorkspaceMove(CLI::App& workspace);
 Run AddWorkspacePose(CLI::App& workspace);
+Run AddWorkspaceMerge(CLI::App& workspace);
+Run AddWorkspacePlace(CLI::App& workspace);
 Run AddWorkspaceTour(CLI::App& workspace);
 
 }  // namespace tautline::cli

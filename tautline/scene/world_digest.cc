@@ -63,4 +63,20 @@ std::uint64_t WorldDigest(const World& world) {
   return digest.value();
 }
 
+std::uint64_t WorkspaceDigest(const Scene& scene) {
+  Digest digest;
+  digest.Add(WorldDigest(scene.world));
+  digest.Add(scene.tasks);
+  digest.Add(std::uint64_t{scene.futures.size()});
+  for (const Future& future : scene.futures) {
+    digest.Add(future.probability);
+    digest.Add(std::uint64_t{future.moves.size()});
+    for (const ObstacleMove& move : future.moves) {
+      digest.Add(std::string_view(move.obstacle));
+      digest.Add(move.path);
+    }
+  }
+  return digest.value();
+}
+
 }  // namespace tautline

@@ -13,6 +13,9 @@ namespace tautline {
 /// digests but by a chance of 2^-64. No protection against intent. O(n).
 std::uint64_t WorldDigest(const World& world);
 
+/// Of everything that the best places of winches depend on: the world, the tasks and the futures. O(n).
+std::uint64_t WorkspaceDigest(const Scene& scene);
+
 }  // namespace tautline
 
 #endif  // TAUTLINE_SCENE_WORLD_DIGEST_H_

@@ -156,7 +156,7 @@ class BoundarySearch {
     auto boundary = CloseBoundary(ground_, anchors_, std::move(walks), std::move(paths));
     if (!boundary) {
       // Chords and sides that end in the open cross nothing as far as the fan knows.
-      TAUTLINE_CHECK(boundary.error().obstruction == WorkspaceObstruction::kNoArea || !ChordsCanCross());
+      TAUTLINE_CHECK(boundary.error().obstruction == WorkspaceObstruction::kNoArea || !on_walls_);
       return;
     }
     if (HoldsAll(ground_, *boundary, options_.tasks)) list.boundaries.push_back(*std::move(boundary));

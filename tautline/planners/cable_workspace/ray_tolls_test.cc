@@ -87,9 +87,12 @@ TEST(RayTollsTest, ListsTheClassesThatAreCheapEnough) {
     const bool drop_loops = LoopsCross(ground.space(), anchors[0].exit, anchors[1].exit);
     SearchBudget budget(1'000'000, {});
     std::set<Polyline> found, expected;
-    for (const TautPath& path :
-         ListSideClasses(ground.space(), anchors, 0, graph, tolls,
-                         {.max_cost = cost, .max_length = longest, .drop_crossing = on_walls, .budget = &budget})) {
+    for (const TautPath& path : ListSideClasses(ground.space(), anchors, 0, graph, tolls,
+                                                {.max_cost = cost,
+                                                .max_length = longest,
+                                                .drop_crossing = on_walls,
+                                                .drop_loops = drop_loops,
+                                                .budget = &budget})) {
       EXPECT_TRUE(found.insert(path.points).second);
     }
     for (const TautPath& path : classes) {
