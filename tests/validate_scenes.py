@@ -84,7 +84,7 @@ BROKEN = {
 
 def scene_files():
     """The scenes that are files of their own."""
-    return sorted([*ROOT.glob("scenes/*.yaml"), *ROOT.glob("scenes/*.json")])
+    return sorted([*ROOT.glob("scenes/*.yaml"), *ROOT.glob("scenes/*.json"), *ROOT.glob("experiments/*/scenes/*.yaml")])
 
 
 def load(path):
