@@ -95,7 +95,7 @@ auto Reading(const std::string& name, const Read& read) -> Expected<decltype(rea
 }
 
 Expected<Json> ParsePart(std::string_view text, const std::string& name) {
-  const auto json = Reading(name, [text] { return Json::parse(text); });
+  auto json = Reading(name, [text] { return Json::parse(text); });
   if (!json) return json;
   if (!json->is_object() || !json->contains("part")) return NoPart(name, "it has no key `part`");
   if (json->at("part") != kPartVersion) {

@@ -46,6 +46,7 @@ double LowestCable(const Placement& at, const WorkspaceBoundary& boundary) {
 
 std::vector<double> LengthsOf(const std::vector<LongestCable>& cables) {
   std::vector<double> lengths;
+  lengths.reserve(cables.size());
   for (const LongestCable& cable : cables) lengths.push_back(cable.length);
   return lengths;
 }
@@ -131,6 +132,7 @@ PlacementAnswer PlacementGround::Evaluate(std::vector<double> positions,
   for (double& position : positions) position = outline_.Wrapped(position);
   std::sort(positions.begin(), positions.end());
   std::vector<Point> points;
+  points.reserve(positions.size());
   for (const double position : positions) points.push_back(outline_.At(position));
   auto anchors = PlaceAnchors(ground_, points);
   if (!anchors) return {};
