@@ -41,9 +41,8 @@ void Rank(std::vector<WorkspaceBoundary> boundaries, std::size_t most, BestAnswe
     ranked.futures = carrier.Carry(ranked.boundary, {.longest_cables = false});
   }
   const auto expected = [](const RankedBoundary& ranked) { return ranked.futures ? ranked.futures->expected_area : 0; };
-  std::stable_sort(answer.ranked.begin(), answer.ranked.end(), [&](const RankedBoundary& a, const RankedBoundary& b) {
-    return expected(a) > expected(b);
-  });
+  std::stable_sort(answer.ranked.begin(), answer.ranked.end(),
+                   [&](const RankedBoundary& a, const RankedBoundary& b) { return expected(a) > expected(b); });
   if (answer.ranked.size() > most) answer.ranked.resize(most);
   for (RankedBoundary& ranked : answer.ranked) ranked.futures = carrier.Carry(ranked.boundary);
 }
