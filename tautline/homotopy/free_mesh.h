@@ -41,8 +41,9 @@ class FreeMesh {
   /// Nothing when p is farther outside. O(1) expected.
   std::optional<Place> Locate(Point p, double tolerance) const;
 
-  /// The nearest place on the boundary, with the triangle of its edge: a vertex where one is within `tolerance` of p, else
-  /// a point of the edge as far as rounding lets it be one. Nothing when p is farther away than that. O(1) expected.
+  /// The nearest place on the boundary, with the triangle of its edge: a vertex where one is within `tolerance` of p,
+  /// else a point of the edge as far as rounding lets it be one. Nothing when p is farther away than that. O(1)
+  /// expected.
   std::optional<Place> MoveOntoBoundary(Point p, double tolerance) const;
 
   /// The place once for each free sector that it belongs to: several at a vertex where blocked ground touches, one

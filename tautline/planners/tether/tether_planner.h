@@ -7,9 +7,9 @@
 
 #include "tautline/base/error.h"
 #include "tautline/homotopy/classes.h"
+#include "tautline/homotopy/socket.h"
 #include "tautline/homotopy/taut_space.h"
 #include "tautline/planners/tether/plan.h"
-#include "tautline/homotopy/socket.h"
 
 namespace tautline {
 
