@@ -38,7 +38,8 @@ std::optional<std::string> UnknownCommand(const CLI::App& app, const std::vector
     const auto next = std::find_if(commands.begin(), commands.end(),
                                    [&word](const CLI::App* command) { return command->check_name(word); });
     if (next == commands.end()) {
-      return "there is no command '" + called + word + "'; there are " + NamesOf(commands);
+      called += word;
+      return "there is no command '" + called + "'; there are " + NamesOf(commands);
     }
     called += word + " ";
     at = *next;

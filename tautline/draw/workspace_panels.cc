@@ -129,7 +129,8 @@ std::string DrawWorkspacePanels(const PanelsContent& content, const std::vector<
   }
   world = WithoutFlatSides(world);
   const Layout layout = LayOut(content, panels, world);
-  const auto rows = static_cast<double>((panels.size() + layout.columns - 1) / layout.columns);
+  const std::size_t row_count = (panels.size() + layout.columns - 1) / layout.columns;
+  const auto rows = static_cast<double>(row_count);
   SvgWriter svg({.width = kPageWidth,
                  .height = layout.top + rows * (layout.cell.y + kGap) - kGap + kMargin,
                  .decimals = 1,
@@ -137,7 +138,8 @@ std::string DrawWorkspacePanels(const PanelsContent& content, const std::vector<
   svg.DefineHatch(kClearanceColour, kClearanceLineColour);
   DrawHead(svg, layout);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const auto column = static_cast<double>(i % layout.columns), row = static_cast<double>(i / layout.columns);
+    const std::size_t in_row = i % layout.columns, row_index = i / layout.columns;
+    const auto column = static_cast<double>(in_row), row = static_cast<double>(row_index);
     const Point at{kMargin + column * (layout.cell.x + kGap), layout.top + row * (layout.cell.y + kGap)};
     const Box frame{at + Point{0, layout.text_height}, at + layout.cell};
     const View view(world, {frame.low + Point{kPadding, kPadding}, frame.high - Point{kPadding, kPadding}});

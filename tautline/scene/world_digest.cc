@@ -72,7 +72,8 @@ std::uint64_t WorkspaceDigest(const Scene& scene) {
     digest.Add(future.probability);
     digest.Add(std::uint64_t{future.moves.size()});
     for (const ObstacleMove& move : future.moves) {
-      digest.Add(std::string_view(move.obstacle));
+      const std::string_view name = move.obstacle;
+      digest.Add(name);
       digest.Add(move.path);
     }
   }

@@ -30,7 +30,7 @@ struct PlaceRecord {
 
 /// What all jobs together found.
 struct PlaceResult {
-  PlaceStatus status = PlaceStatus::kBudgetExceeded;
+  PlaceStatus status = PlaceStatus::kBudgetExceeded;               ///< How the search ended.
   WorkspaceObstruction obstruction = WorkspaceObstruction::kNone;  ///< Unless solved.
   std::string explanation;                                         ///< Unless solved: one sentence.
   std::optional<Placement> placement;       ///< The best; unless solved, the one nearest to holding all tasks, if any.
