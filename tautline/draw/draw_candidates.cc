@@ -39,6 +39,7 @@ std::string DrawCandidates(const Scene& scene, const FreeSpace& space, const Can
   if (!picture.explanation.empty()) content.notes.push_back(picture.explanation + ".");
   const std::size_t shown = std::min(kMostShown, picture.candidates.size());
   if (shown < picture.found) content.notes.push_back("Shown are the first " + std::to_string(shown) + ".");
+  content.notes.emplace_back(scene.tasks.empty() ? "Dots are winches." : "Dots are winches, squares are tasks.");
   std::vector<WorkspacePanel> panels;
   for (std::size_t i = 0; i < shown; ++i) {
     const Candidate& candidate = picture.candidates[i];
