@@ -61,7 +61,8 @@ void Explain(const Scene& scene, const BoundaryList& list, BestAnswer& answer) {
 }
 
 Json RankedJson(const BestAnswer& answer, const RankedBoundary& ranked, const JsonValues& values) {
-  Json json = BoundaryJson(answer.setup, ranked.boundary, values);
+  const auto longest = LongestCables(answer.setup.ground, answer.setup.anchors, ranked.boundary);
+  Json json = BoundaryJson(answer.setup, ranked.boundary, longest, values);
   json.erase("sides");
   if (!ranked.futures) return json;
   json.update(FuturesJson(*answer.futures, *ranked.futures, false));

@@ -36,7 +36,7 @@ Expected<BoundaryAnswer> AnswerBoundary(const Scene& scene, const BoundaryQuesti
     return answer;
   }
   answer.longest = LongestCables(answer.setup.ground, answer.setup.anchors, *answer.boundary);
-  answer.json.update(BoundaryJson(answer.setup, *answer.boundary, values));
+  answer.json.update(BoundaryJson(answer.setup, *answer.boundary, answer.longest, values));
   if (const auto carried = Carry(scene, answer); !carried) return tl::unexpected(carried.error());
   if (MustVerify(question.verify)) {
     answer.verified_curves = ReportVerification(BoundaryFaults(answer.setup, *answer.boundary),

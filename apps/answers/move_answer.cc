@@ -119,7 +119,7 @@ Expected<MoveAnswer> AnswerMove(const Scene& scene, const MoveQuestion& question
   if (!setup) return tl::unexpected(setup.error());
   auto boundary = LayCables(scene, *setup);
   if (!boundary) return tl::unexpected(boundary.error());
-  const auto from = StartInWorkspace(scene, question.from);
+  const auto from = RobotInWorkspace(scene, question.from);
   if (!from) return tl::unexpected(from.error());
   if (!question.to && !scene.goal) {
     return InvalidInput("no goal: set goal: [x, y], or give it as --to X,Y", scene.path);

@@ -5,7 +5,6 @@
 #include "apps/answers/verification.h"
 #include "tautline/homotopy/curve_faults.h"
 #include "tautline/planners/cable_workspace/explain_workspace.h"
-#include "tautline/scene/check_tether.h"
 
 namespace tautline {
 namespace {
@@ -65,12 +64,9 @@ Expected<PoseAnswer> AnswerPose(const Scene& scene, const PoseQuestion& question
   if (!setup) return tl::unexpected(setup.error());
   auto boundary = LayCables(scene, *setup);
   if (!boundary) return tl::unexpected(boundary.error());
-  if (!question.at && !scene.cables->laid) {
-    return InvalidInput("words do not say where the robot is; give the pose as --at X,Y", scene.path);
-  }
-  PoseAnswer answer{.setup = std::move(*setup), .boundary = std::move(*boundary)};
-  answer.at = question.at ? *question.at : scene.cables->laid->front().front();
-  if (const auto checked = CheckGoal(answer.at, "the pose"); !checked) return tl::unexpected(checked.error());
+  const auto at = RobotInWorkspace(scene, question.at, {.what = "the pose", .hint = "give the pose as --at X,Y"});
+  if (!at) return tl::unexpected(at.error());
+  PoseAnswer answer{.setup = std::move(*setup), .boundary = std::move(*boundary), .at = *at};
   const JsonValues values(answer.setup.ground.space().free_space());
   answer.json["command"] = "workspace pose";
   answer.json["status"] = "infeasible";

@@ -58,7 +58,7 @@ void Fill(const TourQuestion& question, const JsonValues& values, TourAnswer& an
 
 Expected<TourStops> StopsOf(const Scene& scene, const TourQuestion& question) {
   if (question.to && question.round) return InvalidInput("a tour back to the start has no --to; leave one of them out");
-  const auto from = StartInWorkspace(scene, question.from);
+  const auto from = RobotInWorkspace(scene, question.from);
   if (!from) return tl::unexpected(from.error());
   TourStops stops{.start = *from, .tasks = scene.tasks, .goal = question.to ? question.to : scene.goal};
   if (question.round) stops.goal.reset();

@@ -37,7 +37,8 @@ Expected<tl::expected<WorkspaceBoundary, BoundaryFault>> LayCables(const Scene& 
   return BoundaryOfWords(setup.ground, setup.anchors, words);
 }
 
-Json BoundaryJson(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary, const JsonValues& values) {
+Json BoundaryJson(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary, std::span<const LongestCable> longest,
+                  const JsonValues& values) {
   Json json;
   json["boundary"] = values.Of(boundary.ring);
   json["area"] = boundary.area;
@@ -52,7 +53,7 @@ Json BoundaryJson(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary
   }
   json["max_cable_lengths"] = Json::array();
   json["max_cable_at"] = Json::array();
-  for (const LongestCable& cable : LongestCables(setup.ground, setup.anchors, boundary)) {
+  for (const LongestCable& cable : longest) {
     json["max_cable_lengths"].push_back(cable.length);
     json["max_cable_at"].push_back(values.Of(setup.anchors[cable.farthest].exit.point));
   }
@@ -72,13 +73,13 @@ void AddFault(const WorkspaceSetup& setup, const BoundaryFault& fault, const Jso
   if (fault.at) json["at"] = values.Of(*fault.at);
 }
 
-Expected<Point> StartInWorkspace(const Scene& scene, const std::optional<Point>& from) {
-  if (!from && !scene.cables->laid) {
-    return InvalidInput("words do not say where the robot is; give its start as --from X,Y", scene.path);
+Expected<Point> RobotInWorkspace(const Scene& scene, const std::optional<Point>& given, const RobotPlace& place) {
+  if (!given && !scene.cables->laid) {
+    return InvalidInput(std::string("words do not say where the robot is; ") + place.hint, scene.path);
   }
-  const Point start = from ? *from : scene.cables->laid->front().front();
-  if (const auto checked = CheckGoal(start, "the start"); !checked) return tl::unexpected(checked.error());
-  return start;
+  const Point robot = given ? *given : scene.cables->laid->front().front();
+  if (const auto checked = CheckGoal(robot, place.what); !checked) return tl::unexpected(checked.error());
+  return robot;
 }
 
 void AddOutside(const OutsideFault& fault, Json& json) {

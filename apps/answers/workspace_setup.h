@@ -28,13 +28,21 @@ struct WorkspaceSetup {
                                                                                  const WorkspaceSetup& setup);
 
 /// `boundary`, `area`, `length`, `words`, `sides`, `touches`, `max_cable_lengths` and `max_cable_at`.
-Json BoundaryJson(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary, const JsonValues& values);
+Json BoundaryJson(const WorkspaceSetup& setup, const WorkspaceBoundary& boundary, std::span<const LongestCable> longest,
+                  const JsonValues& values);
 
 /// Adds `reason`, `explanation`, and, where they are known, `at_fault` and `at`.
 void AddFault(const WorkspaceSetup& setup, const BoundaryFault& fault, const JsonValues& values, Json& json);
 
-/// Where the robot starts: `from`, or where the cables are laid. Errors: neither is known; CheckGoal refuses it.
-[[nodiscard]] Expected<Point> StartInWorkspace(const Scene& scene, const std::optional<Point>& from);
+/// How a question asks for a place of the robot.
+struct RobotPlace {
+  const char* what = "the start";                     ///< For errors of CheckGoal.
+  const char* hint = "give its start as --from X,Y";  ///< How to say where it is.
+};
+
+/// Where the robot is: as given, or where the cables are laid. Errors: neither is known; CheckGoal refuses it.
+[[nodiscard]] Expected<Point> RobotInWorkspace(const Scene& scene, const std::optional<Point>& given,
+                                               const RobotPlace& place = {});
 
 /// Adds `reason`, `explanation` and, where tasks are outside, `tasks`.
 void AddOutside(const OutsideFault& fault, Json& json);

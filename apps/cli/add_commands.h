@@ -3,15 +3,14 @@
 #define APPS_CLI_ADD_COMMANDS_H_
 
 #include <CLI/App.hpp>
-#include <vector>
 
 #include "apps/cli/commands.h"
 
 namespace tautline::cli {
 
-/// Names and describes the program and adds all of its commands to `app`, which is empty. Returns what each command
-/// runs, in the order of `app.get_subcommands({})`.
-std::vector<Run> AddCommands(CLI::App& app);
+/// Names and describes the program and adds all of its commands to `app`, which is empty. Returns what runs the
+/// one that is called.
+Run AddCommands(CLI::App& app);
 
 }  // namespace tautline::cli
 

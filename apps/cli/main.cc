@@ -43,8 +43,7 @@ std::string WhatIsWrong(const CLI::App& app, const CLI::ParseError& error) {
 int Main(int argc, char** argv) {
   HandleSignals();
   CLI::App app;
-  const std::vector<Run> runs = AddCommands(app);
-  const auto commands = app.get_subcommands({});
+  const Run run = AddCommands(app);
   if (const auto unknown = UnknownCommand(app, {argv + std::min(argc, 1), argv + argc})) {
     return Complain(*unknown, kExitBadInput);
   }
@@ -58,12 +57,8 @@ int Main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return Complain(WhatIsWrong(app, error), kExitBadInput);
   }
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    if (!commands[i]->parsed()) continue;
-    const auto status = runs[i]();
-    return status ? *status : Complain(ToString(status.error()), kExitBadInput);
-  }
-  return kExitBadInput;
+  const auto status = run();
+  return status ? *status : Complain(ToString(status.error()), kExitBadInput);
 }
 
 }  // namespace

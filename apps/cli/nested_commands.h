@@ -12,7 +12,8 @@
 
 namespace tautline::cli {
 
-/// Adds the commands below one that does nothing itself, and returns what runs the one that is called.
+/// Adds the commands below one, or below the program, that does nothing itself, and returns what runs the one that is
+/// called.
 Run AddNested(CLI::App& command, std::initializer_list<Run (*)(CLI::App&)> adders);
 
 /// What is wrong with the names of the commands in a call, if anything: "there is no command 'plon'; there are ...".

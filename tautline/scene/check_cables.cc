@@ -1,19 +1,13 @@
 #include "tautline/scene/check_cables.h"
 
-#include <optional>
 #include <string>
 
 #include "tautline/scene/check_tether.h"
-#include "tautline/scene/number_fault.h"
 #include "tautline/scene/number_text.h"
+#include "tautline/scene/scene_fault.h"
 
 namespace tautline {
 namespace {
-
-Expected<void> Checked(const std::string& what, const std::optional<Fault>& fault) {
-  if (!fault) return {};
-  return tl::unexpected<Error>(Error{fault->code, what + fault->text, ""});
-}
 
 std::string Nth(const std::string& what, std::size_t i) { return what + "[" + std::to_string(i + 1) + "]"; }
 
@@ -34,14 +28,6 @@ Expected<void> CheckLaid(const std::vector<Polyline>& laid, const std::vector<Po
     }
   }
   return {};
-}
-
-/// The error with the file that the scene came from.
-Expected<void> In(const Scene& scene, Expected<void> checked) {
-  return std::move(checked).map_error([&scene](Error error) {
-    error.where = scene.path;
-    return error;
-  });
 }
 
 }  // namespace
@@ -65,7 +51,7 @@ Expected<void> CheckCables(const Cables& cables, const Box& world) {
 
 Expected<void> RequireCables(const Scene& scene) {
   if (!scene.cables) return InvalidInput("the scene has no cables; add `cables: {anchors: [[x, y], ...]}`", scene.path);
-  return In(scene, CheckCables(*scene.cables, BoundingBox(scene.world.outline)));
+  return InScene(scene, CheckCables(*scene.cables, BoundingBox(scene.world.outline)));
 }
 
 Expected<void> RequireLaidCables(const Scene& scene) {

@@ -1,30 +1,12 @@
 #include "tautline/scene/check_tether.h"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
-#include "tautline/scene/number_fault.h"
 #include "tautline/scene/number_text.h"
+#include "tautline/scene/scene_fault.h"
 
 namespace tautline {
-namespace {
-
-Expected<void> Checked(const std::string& what, const std::optional<Fault>& fault) {
-  if (!fault) return {};
-  return tl::unexpected<Error>(Error{fault->code, what + fault->text, ""});
-}
-
-/// The error with the file that the scene came from.
-Expected<void> In(const Scene& scene, Expected<void> checked) {
-  return std::move(checked).map_error([&scene](Error error) {
-    error.where = scene.path;
-    return error;
-  });
-}
-
-}  // namespace
-
 double SamePointTolerance(const Box& world) {
   constexpr double kShare = 1e-6;
   return kShare * (world.empty() ? 1 : std::max(world.size().x, world.size().y));
@@ -47,13 +29,13 @@ Expected<void> RequireTether(const Scene& scene) {
   if (!scene.tether) {
     return InvalidInput("the scene has no tether; add `tether: {base: [x, y], length: metres}`", scene.path);
   }
-  return In(scene, CheckTether(*scene.tether, BoundingBox(scene.world.outline)));
+  return InScene(scene, CheckTether(*scene.tether, BoundingBox(scene.world.outline)));
 }
 
 Expected<void> RequireTetherAndGoal(const Scene& scene) {
   if (auto tether = RequireTether(scene); !tether) return tether;
   if (!scene.goal) return InvalidInput("the scene has no goal; add `goal: [x, y]`", scene.path);
-  return In(scene, CheckGoal(*scene.goal));
+  return InScene(scene, CheckGoal(*scene.goal));
 }
 
 }  // namespace tautline

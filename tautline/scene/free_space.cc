@@ -9,6 +9,7 @@
 #include "tautline/geometry/snap_rounding.h"
 #include "tautline/geometry/snap_vertices.h"
 #include "tautline/scene/check_world.h"
+#include "tautline/scene/number_text.h"
 #include "tautline/scene/obstacle_naming.h"
 
 namespace tautline {
@@ -249,6 +250,11 @@ double BoundaryTolerance(const FreeSpace& space) {
 Point RepresentativeOf(const Obstacle& obstacle) {
   if (obstacle.representative) return *obstacle.representative;
   return obstacle.circle ? obstacle.circle->centre : InteriorPoint(*obstacle.polygon);
+}
+
+std::string BlockedText(const FreeSpace& space) {
+  if (space.clearance <= 0) return "inside an obstacle or a wall";
+  return "inside an obstacle or a wall, or closer to one than the clearance of " + Metres(space.clearance);
 }
 
 std::vector<std::string> NamesOf(const FreeSpace& space) {

@@ -90,6 +90,9 @@ double BoundaryTolerance(const FreeSpace& space);
 /// of a circle or an InteriorPoint of a polygon. O(n).
 Point RepresentativeOf(const Obstacle& obstacle);
 
+/// Where a point is that is not free: "inside an obstacle or a wall", with the clearance when there is one.
+std::string BlockedText(const FreeSpace& space);
+
 /// The names of the islands, by ObstacleId.
 std::vector<std::string> NamesOf(const FreeSpace& space);
 

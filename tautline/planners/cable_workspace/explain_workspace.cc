@@ -8,12 +8,6 @@
 namespace tautline {
 namespace {
 
-std::string Blocked(const CableGround& ground) {
-  const double clearance = ground.space().free_space().clearance;
-  if (clearance <= 0) return "inside an obstacle or a wall";
-  return "inside an obstacle or a wall, or closer to one than the clearance of " + Metres(clearance);
-}
-
 std::string Number(std::size_t anchor) { return std::to_string(anchor + 1); }
 
 }  // namespace
@@ -62,7 +56,7 @@ std::string ExplainBoundary(const CableGround& ground, const Anchors& anchors, c
   const std::size_t n = anchors.size();
   switch (fault.obstruction) {
     case WorkspaceObstruction::kRobotBlocked:
-      return "the robot " + ToText(*fault.at) + " stands " + Blocked(ground);
+      return "the robot " + ToText(*fault.at) + " stands " + BlockedText(ground.space().free_space());
     case WorkspaceObstruction::kLaidCableBlocked:
       if (const auto place = ground.space().Locate(*fault.at);
           place && ground.space().mesh().Sectors(*place).size() > 1) {
@@ -70,7 +64,7 @@ std::string ExplainBoundary(const CableGround& ground, const Anchors& anchors, c
                ": blocked ground touches there";
       }
       return "the cable of anchor " + Number(fault.sides[0]) + " as laid leaves the free ground at " +
-             ToText(*fault.at) + ": that place is " + Blocked(ground);
+             ToText(*fault.at) + ": that place is " + BlockedText(ground.space().free_space());
     case WorkspaceObstruction::kAnchorsUnconnected:
       return SideName(fault.sides[0], n) + " cannot be: no free ground leads from " +
              ToText(anchors[fault.sides[0]].base) + " to " + ToText(anchors[NextAnchor(fault.sides[0], n)].base);

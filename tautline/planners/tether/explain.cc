@@ -7,13 +7,6 @@ namespace {
 
 std::string At(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
 
-/// "inside an obstacle", with the clearance when there is one.
-std::string InsideObstacle(const TautSpace& space) {
-  const double clearance = space.free_space().clearance;
-  if (clearance <= 0) return "inside an obstacle or a wall";
-  return "inside an obstacle or a wall, or closer to one than the clearance of " + Metres(clearance);
-}
-
 }  // namespace
 
 std::string ToString(PlanObstruction obstruction) {
@@ -37,12 +30,12 @@ std::string ToString(PlanObstruction obstruction) {
 }
 
 std::string ExplainBlocked(const TautSpace& space, const std::string& what, Point at) {
-  return what + " " + At(at) + " lies " + InsideObstacle(space);
+  return what + " " + At(at) + " lies " + BlockedText(space.free_space());
 }
 
 std::string ExplainLaidCable(const TautSpace& space, PlanObstruction obstruction, Point at) {
   if (obstruction == PlanObstruction::kStartBlocked) return ExplainBlocked(space, "the robot", at);
-  return "the cable as laid leaves the free ground at " + At(at) + ": that place is " + InsideObstacle(space);
+  return "the cable as laid leaves the free ground at " + At(at) + ": that place is " + BlockedText(space.free_space());
 }
 
 std::string ExplainApart(const std::string& what, Point at, const std::string& other) {
