@@ -91,6 +91,8 @@ struct FleetRobot {
   Point target;                   ///< Where it is to go, metres.
   std::optional<Polyline> cable;  ///< The target cable line, start to target.
   double speed = 0;               ///< Metres per second.
+  double radius = 0;              ///< Of its body, metres; cables meet it as a point all the same.
+  std::optional<double> tether;   ///< The length of its cable, metres; absent: as long as it takes.
 };
 
 /// Several tethered robots.

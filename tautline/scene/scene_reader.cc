@@ -208,26 +208,35 @@ class SceneReader {
 
   void ReadFleet(const Document& value) {
     if (!reader_.IsMap(value, "fleet")) return;
-    reader_.KnownKeys(value, "fleet", {"speed", "robots"});
-    double speed = 0;
-    if (const Document* common = value.Find("speed")) speed = reader_.ReadPositive(*common, "fleet.speed");
+    reader_.KnownKeys(value, "fleet", {"speed", "radius", "tether", "robots"});
+    FleetRobot common;
+    ReadBody(value, "fleet", common);
     Fleet fleet;
     const Document* robots = reader_.Required(value, "fleet", "robots");
     if (robots != nullptr && reader_.IsList(*robots, "fleet.robots")) {
       if (robots->items.empty()) reader_.Fail(robots->position, "fleet.robots is empty: list a robot");
       for (std::size_t i = 0; i < robots->items.size() && reader_.ok(); ++i) {
-        fleet.robots.push_back(ReadRobot(robots->items[i], i, speed));
+        fleet.robots.push_back(ReadRobot(robots->items[i], i, common));
       }
       CheckRobotNames(fleet, *robots);
     }
     scene_.fleet = std::move(fleet);
   }
 
-  FleetRobot ReadRobot(const Document& value, std::size_t index, double common_speed) {
+  /// What a robot may say of itself and the fleet of all its robots.
+  void ReadBody(const Document& value, const std::string& what, FleetRobot& robot) {
+    if (const Document* speed = value.Find("speed")) robot.speed = reader_.ReadPositive(*speed, what + ".speed");
+    if (const Document* radius = value.Find("radius"))
+      robot.radius = reader_.ReadNonNegative(*radius, what + ".radius");
+    if (const Document* tether = value.Find("tether"))
+      robot.tether = reader_.ReadNonNegative(*tether, what + ".tether");
+  }
+
+  FleetRobot ReadRobot(const Document& value, std::size_t index, const FleetRobot& common) {
     const std::string what = Element("fleet.robots", index);
-    FleetRobot robot;
+    FleetRobot robot = common;
     if (!reader_.IsMap(value, what)) return robot;
-    reader_.KnownKeys(value, what, {"name", "start", "target", "cable", "speed"});
+    reader_.KnownKeys(value, what, {"name", "start", "target", "cable", "speed", "radius", "tether"});
     const Document* name = value.Find("name");
     robot.name = name != nullptr ? reader_.ReadName(*name, what + ".name") : "r" + std::to_string(index + 1);
     if (const Document* start = reader_.Required(value, what, "start")) {
@@ -236,8 +245,7 @@ class SceneReader {
     if (const Document* target = reader_.Required(value, what, "target")) {
       robot.target = reader_.ReadPoint(*target, what + ".target");
     }
-    const Document* speed = value.Find("speed");
-    robot.speed = speed != nullptr ? reader_.ReadPositive(*speed, what + ".speed") : common_speed;
+    ReadBody(value, what, robot);
     if (reader_.ok() && robot.speed == 0) {
       reader_.Fail(value.position, what + " has no speed: add 'speed' to the robot or to the fleet");
     }

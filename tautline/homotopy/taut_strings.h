@@ -1,0 +1,81 @@
+// Taut strings among pins that move: pushed where a pin meets them, bent around what holds them.
+#ifndef TAUTLINE_HOMOTOPY_TAUT_STRINGS_H_
+#define TAUTLINE_HOMOTOPY_TAUT_STRINGS_H_
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "tautline/base/index.h"
+#include "tautline/geometry/polygon.h"
+#include "tautline/homotopy/corners.h"
+
+namespace tautline {
+
+/// A point that strings cannot pass through: the end of a string, or a corner of an obstacle.
+using PinId = Index<struct PinTag>;
+
+/// A taut string.
+using StringId = Index<struct StringTag>;
+
+/// A pin that a string touches.
+struct StringBend {
+  PinId pin;                ///< Which.
+  Side side = Side::kNone;  ///< The side of a traveller along the string on which the pin lies; kNone at the two ends.
+
+  /// Whether both are equal.
+  friend bool operator==(const StringBend&, const StringBend&) = default;
+};
+
+/// A pin was led exactly through another one, so that nobody can say on which side it passed.
+struct PinCollision {
+  PinId moved;  ///< Which was to move.
+  PinId met;    ///< What it would have met; for a pin that would stop there, too.
+};
+
+/// Strings in the plane, each tied to one pin and held by another. Moving a pin straight pushes every string that it
+/// meets and takes along those that it holds or that bend around it; then all are pulled taut again. So the class of
+/// the strings among the pins follows the motion exactly, and the strings are its shortest representatives. Strings
+/// pass through each other's interior only where pins made them.
+///
+/// Pins must stay at different places, except that the pin that holds a string may rest where the string is tied.
+class TautStrings {
+ public:
+  /// Pins by PinId, metres. `corners` of them, the last ones, never move and have extent only to the side of their
+  /// obstacle; strings and pins that move must be led around the obstacles. O(n log n).
+  explicit TautStrings(std::span<const Point> pins);
+  ~TautStrings();
+  TautStrings(TautStrings&&) noexcept;
+  TautStrings& operator=(TautStrings&&) noexcept;
+
+  /// A string of length zero from a pin to another at the same place. O(1).
+  StringId Tie(PinId tied, PinId holder);
+
+  /// Moves a pin straight to a place. Fails, and moves nothing, when another pin lies on the way or at its end. A pin
+  /// whose string has length zero leaves the pin that the string is tied to. O(strings met * bends + pins swept over),
+  /// expected.
+  tl::expected<void, PinCollision> Move(PinId pin, Point to);
+
+  /// Where a pin is.
+  Point point(PinId pin) const;
+  /// The pins that a string touches, from where it is tied to its holder; also those that it passes without a bend.
+  std::span<const StringBend> bends(StringId string) const;
+  /// Its length, metres.
+  double length(StringId string) const;
+  /// Its points.
+  Polyline points(StringId string) const;
+  /// How many strings.
+  std::size_t size() const;
+  /// How many pins.
+  std::size_t pin_count() const;
+
+ private:
+  class Tangle;
+  std::unique_ptr<Tangle> tangle_;
+};
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_HOMOTOPY_TAUT_STRINGS_H_

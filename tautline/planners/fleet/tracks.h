@@ -1,0 +1,27 @@
+// Routes side by side: lines that share nodes and edges, drawn a little apart in the order that they have.
+#ifndef TAUTLINE_PLANNERS_FLEET_TRACKS_H_
+#define TAUTLINE_PLANNERS_FLEET_TRACKS_H_
+
+#include <vector>
+
+#include "tautline/planners/fleet/layout.h"
+
+namespace tautline {
+
+/// How routes are laid side by side.
+struct TrackOptions {
+  /// The distance between neighbours, metres. Absent: so small that no track comes near a node that its route does not
+  /// pass, so that tracks cross exactly where the routes do.
+  std::optional<double> spacing;
+};
+
+/// One polyline per route, with one point per step: at each node that it passes with a side, the track keeps off the
+/// node to the other side, farther off the more routes lie between it and the node. Routes that do not cross become
+/// tracks that do not meet, and routes that cross on a shared part become tracks that cross there once. Starts and
+/// targets stay in place. Requires routes of one ground. O(n log n + shared parts) for n steps, expected.
+std::vector<Polyline> SideBySide(const FleetGround& ground, const std::vector<Route>& routes,
+                                 const TrackOptions& options = {});
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_PLANNERS_FLEET_TRACKS_H_
