@@ -8,24 +8,6 @@
 
 namespace tautline {
 
-Expected<CableGround> CableGround::Prepare(const World& world, const Watcher& watch) {
-  try {
-    if (watch && !watch("free space", 0)) throw Stopped();
-    auto space = BuildFreeSpace(world);
-    if (!space) return tl::unexpected(space.error());
-    CableGround ground;
-    if (space->clearance > 0) {
-      auto ungrown = BuildFreeSpace(world, {.clearance = 0});
-      if (!ungrown) return tl::unexpected(ungrown.error());
-      ground.ungrown_ = std::make_unique<const Ungrown>(*std::move(ungrown));
-    }
-    ground.space_ = std::make_unique<const TautSpace>(*std::move(space), watch);
-    return ground;
-  } catch (const Stopped&) {
-    return tl::unexpected<Error>(Error{ErrorCode::kStopped, "stopped while the world was prepared", ""});
-  }
-}
-
 namespace {
 
 /// Where a cable is tied. Corners of the free space are rounded to a grid, so that an anchor at a corner is off it by

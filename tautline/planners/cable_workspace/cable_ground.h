@@ -2,45 +2,18 @@
 #ifndef TAUTLINE_PLANNERS_CABLE_WORKSPACE_CABLE_GROUND_H_
 #define TAUTLINE_PLANNERS_CABLE_WORKSPACE_CABLE_GROUND_H_
 
-#include <memory>
-#include <optional>
 #include <span>
+#include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
-#include "tautline/base/error.h"
-#include "tautline/base/stop.h"
 #include "tautline/homotopy/socket.h"
-#include "tautline/homotopy/taut_space.h"
-#include "tautline/scene/scene.h"
+#include "tautline/homotopy/taut_ground.h"
 
 namespace tautline {
 
-/// The free space of a world, prepared for taut cables. Immutable; queries may run in several threads.
-class CableGround {
- public:
-  /// Errors: as BuildFreeSpace; kStopped when `watch` said stop. Cost: as TautSpace.
-  [[nodiscard]] static Expected<CableGround> Prepare(const World& world, const Watcher& watch = {});
-
-  /// The free space with clearance.
-  const TautSpace& space() const { return *space_; }
-  /// The free space without clearance; that of `space` where there is none.
-  const FreeSpace& ungrown_space() const { return ungrown_ ? ungrown_->space : space_->free_space(); }
-  /// Its mesh.
-  const FreeMesh& ungrown() const { return ungrown_ ? ungrown_->mesh : space_->mesh(); }
-
- private:
-  struct Ungrown {
-    explicit Ungrown(FreeSpace free_space) : space(std::move(free_space)), mesh(space) {}
-
-    FreeSpace space;
-    FreeMesh mesh;
-  };
-
-  CableGround() = default;
-
-  std::unique_ptr<const TautSpace> space_;
-  std::unique_ptr<const Ungrown> ungrown_;
-};
+/// The world that the cables lie in.
+using CableGround = TautGround;
 
 /// The control points, in order around the outline. Socket::base is where the cable is tied, Socket::exit where it
 /// enters the free space: on the boundary as a rule, where its triangle is the one that all walks from and to this

@@ -204,7 +204,7 @@ std::string PreparedFile::Write(const TetherPlanner& planner, const World& world
   Json json = {{"world", WorldDigest(world)},
                {"free_space", ToJson(planner.space().free_space())},
                {"sight", ToJson(planner.space().graph().sight())}};
-  if (planner.ungrown_) json["ungrown"] = ToJson(planner.ungrown_->space);
+  if (planner.ground_.has_clearance()) json["ungrown"] = ToJson(planner.ungrown_space());
   std::string body;
   Json::to_cbor(json, body);
   return std::string(kName) + std::to_string(kVersion) + "\n" + std::to_string(Checksum(body)) + "\n" + body;
@@ -233,13 +233,10 @@ Expected<TetherPlanner> PreparedFile::Read(std::string_view bytes, const World& 
           "the prepared map was made for another world, or for the same one with another clearance or other options: "
           "make it anew with --save-prepared");
     }
-    TetherPlanner planner;
-    planner.space_ =
-        std::make_unique<const TautSpace>(ToFreeSpace(json.at("free_space")), ToSightList(json.at("sight")));
-    if (json.contains("ungrown")) {
-      planner.ungrown_ = std::make_unique<const TetherPlanner::Ungrown>(ToFreeSpace(json.at("ungrown")));
-    }
-    return planner;
+    auto space = std::make_unique<const TautSpace>(ToFreeSpace(json.at("free_space")), ToSightList(json.at("sight")));
+    std::optional<FreeSpace> ungrown;
+    if (json.contains("ungrown")) ungrown = ToFreeSpace(json.at("ungrown"));
+    return TetherPlanner(TautGround(std::move(space), std::move(ungrown)));
   } catch (const Json::exception&) {
     return damaged();
   } catch (const std::logic_error&) {

@@ -60,37 +60,25 @@ class ShortestWays {
 };
 
 Expected<TetherPlanner> TetherPlanner::Prepare(const World& world, const PrepareOptions& options) {
-  try {
-    if (options.watch && !options.watch("free space", 0)) throw Stopped();
-    auto space = BuildFreeSpace(world);
-    if (!space) return tl::unexpected(space.error());
-    TetherPlanner planner;
-    if (space->clearance > 0) {
-      auto ungrown = BuildFreeSpace(world, {.clearance = 0.0});
-      if (!ungrown) return tl::unexpected(ungrown.error());
-      planner.ungrown_ = std::make_unique<const Ungrown>(std::move(*ungrown));
-    }
-    planner.space_ = std::make_unique<const TautSpace>(std::move(*space), options.watch);
-    return planner;
-  } catch (const Stopped&) {
-    return tl::unexpected(Error{ErrorCode::kStopped, "the preparation was stopped", ""});
-  }
+  auto ground = TautGround::Prepare(world, options.watch);
+  if (!ground) return tl::unexpected(ground.error());
+  return TetherPlanner(*std::move(ground));
 }
 
 tl::expected<LaidCable, LaidCableFault> TetherPlanner::FollowLaidCable(const Tether& tether) const {
-  TAUTLINE_CHECK(CheckTether(tether, space_->free_space().box));
+  TAUTLINE_CHECK(CheckTether(tether, space().free_space().box));
   const bool has_cable = tether.laid && tether.laid->size() > 1;
   const Point robot = has_cable ? tether.laid->back() : tether.base;
-  const auto socket = FindSocket(*space_, ungrown(), tether.base);
+  const auto socket = FindSocket(space(), ungrown(), tether.base);
   if (!socket) {
     return tl::unexpected(
         LaidCableFault{has_cable ? PlanObstruction::kLaidCableBlocked : PlanObstruction::kStartBlocked, tether.base});
   }
   LaidCable laid{*socket, Walk(socket->exit), socket->stub_length > 0 && !has_cable};
   if (!has_cable) return laid;
-  if (!space_->Locate(robot)) return tl::unexpected(LaidCableFault{PlanObstruction::kStartBlocked, robot});
+  if (!space().Locate(robot)) return tl::unexpected(LaidCableFault{PlanObstruction::kStartBlocked, robot});
   std::optional<Walk> walk = laid.walk;
-  if (const auto departure = space_->Follow(std::span(*tether.laid).subspan(1), walk)) {
+  if (const auto departure = space().Follow(std::span(*tether.laid).subspan(1), walk)) {
     return tl::unexpected(LaidCableFault{PlanObstruction::kLaidCableBlocked, departure->at});
   }
   laid.walk = *walk;
@@ -98,21 +86,21 @@ tl::expected<LaidCable, LaidCableFault> TetherPlanner::FollowLaidCable(const Tet
 }
 
 TautPath TetherPlanner::TetherAlong(const Socket& socket, const Walk& walk) const {
-  Polyline points = Points(PullTaut(space_->mesh(), walk));
+  Polyline points = Points(PullTaut(space().mesh(), walk));
   if (socket.stub_length > 0) points.insert(points.begin(), socket.base);
-  return space_->MakePath(std::move(points));
+  return space().MakePath(std::move(points));
 }
 
 /// The motion along a path from where the walk of the laid cable ends, with the tether that it ends with.
 Motion TetherPlanner::MotionAlong(const LaidCable& laid, const Polyline& path) const {
   std::optional<Walk> walk = laid.walk;
-  const auto departure = space_->Follow(path, walk);
+  const auto departure = space().Follow(path, walk);
   TAUTLINE_CHECK(!departure);
-  Motion motion{space_->MakePath(path), TetherAlong(laid.socket, *walk)};
+  Motion motion{space().MakePath(path), TetherAlong(laid.socket, *walk)};
   if (laid.in_socket) {
     Polyline from_base{laid.socket.base};
     from_base.insert(from_base.end(), path.begin(), path.end());
-    motion.path = space_->MakePath(std::move(from_base));
+    motion.path = space().MakePath(std::move(from_base));
   }
   return motion;
 }
@@ -124,11 +112,11 @@ ClassList TetherPlanner::TethersTo(const Socket& socket, const Walk& root, Place
   if (options.max_length) {
     from_exit.max_length = *options.max_length - socket.stub_length / (1 + kLengthTolerance);
   }
-  ClassList list = FindClassesOnward(*space_, root, goal, from_exit);
+  ClassList list = FindClassesOnward(space(), root, goal, from_exit);
   if (socket.stub_length == 0) return list;
   for (TautPath& tether : list.classes) {
     tether.points.insert(tether.points.begin(), socket.base);
-    tether = space_->MakePath(std::move(tether.points));
+    tether = space().MakePath(std::move(tether.points));
   }
   return list;
 }
@@ -139,14 +127,14 @@ void TetherPlanner::ListAll(const LaidCable& laid, Place goal, const PlanOptions
                                        .max_count = options.max_all,
                                        .budget = options.budget,
                                        .keep_going = options.keep_going});
-  const Polyline cable = Points(PullTaut(space_->mesh(), laid.walk));
+  const Polyline cable = Points(PullTaut(space().mesh(), laid.walk));
   const Polyline back(cable.rbegin(), cable.rend());
   for (const TautPath& tether : tethers.classes) {
     // Back along the cable to the exit of the socket, out along the new tether, and taut.
     std::optional<Walk> walk{Walk(laid.robot())};
     const auto out = std::span(tether.points).subspan(laid.socket.stub_length > 0 ? 1 : 0);
-    TAUTLINE_CHECK(!space_->Follow(back, walk) && !space_->Follow(out, walk));
-    result.all.push_back(MotionAlong(laid, Points(PullTaut(space_->mesh(), *walk))));
+    TAUTLINE_CHECK(!space().Follow(back, walk) && !space().Follow(out, walk));
+    result.all.push_back(MotionAlong(laid, Points(PullTaut(space().mesh(), *walk))));
   }
   std::stable_sort(result.all.begin(), result.all.end(),
                    [](const Motion& a, const Motion& b) { return a.path.length < b.path.length; });
@@ -165,7 +153,7 @@ void TetherPlanner::Choose(const LaidCable& laid, const Polyline& direct, const 
   }
   result.rejected = std::move(shortest);
   const ClassChoice choice = ChooseClass(
-      *space_, laid.walk, field,
+      space(), laid.walk, field,
       {.max_tether = limit - laid.socket.stub_length, .budget = options.budget, .keep_going = options.keep_going});
   TAUTLINE_CHECK(choice.path || choice.budget_exceeded);
   if (choice.path) {
@@ -181,7 +169,7 @@ PreparedStart TetherPlanner::StartOf(const Tether& tether) const {
   PreparedStart start(tether, FollowLaidCable(tether));
   if (!start.laid_) return start;
   start.taut_ =
-      start.laid_->in_socket ? space_->MakePath({tether.base}) : TetherAlong(start.laid_->socket, start.laid_->walk);
+      start.laid_->in_socket ? space().MakePath({tether.base}) : TetherAlong(start.laid_->socket, start.laid_->walk);
   return start;
 }
 
@@ -190,21 +178,21 @@ PreparedStart TetherPlanner::PrepareStart(const Tether& tether) const {
   if (!start.laid_) return start;
   const Walk root = start.laid_->Root();
   const Place base{root.at, root.sleeve.back()}, robot = start.laid_->robot();
-  if (space_->mesh().Sectors(base).size() > 1 || space_->mesh().Sectors(robot).size() > 1) return start;
-  start.from_base_.emplace(*space_, base).GrowTo(std::numeric_limits<double>::infinity());
-  start.from_robot_.emplace(*space_, robot).GrowTo(std::numeric_limits<double>::infinity());
+  if (space().mesh().Sectors(base).size() > 1 || space().mesh().Sectors(robot).size() > 1) return start;
+  start.from_base_.emplace(space(), base).GrowTo(std::numeric_limits<double>::infinity());
+  start.from_robot_.emplace(space(), robot).GrowTo(std::numeric_limits<double>::infinity());
   return start;
 }
 
 PreparedGoal TetherPlanner::GoalAt(Point goal) const {
   TAUTLINE_CHECK(CheckGoal(goal));
-  return PreparedGoal(goal, space_->Locate(goal));
+  return PreparedGoal(goal, space().Locate(goal));
 }
 
 PreparedGoal TetherPlanner::PrepareGoal(Point goal) const {
   PreparedGoal prepared = GoalAt(goal);
   if (!prepared.place_) return prepared;
-  prepared.field_.emplace(*space_, *prepared.place_).GrowTo(std::numeric_limits<double>::infinity());
+  prepared.field_.emplace(space(), *prepared.place_).GrowTo(std::numeric_limits<double>::infinity());
   return prepared;
 }
 
@@ -237,26 +225,26 @@ void TetherPlanner::Decide(const PreparedStart& start, const PreparedGoal& goal,
                            PlanResult& result) const {
   const double limit = result.limit * (1 + kLengthTolerance);
   if (!goal.place_) {
-    return SetInfeasible(PlanObstruction::kGoalBlocked, ExplainBlocked(*space_, "the goal", goal.point_), result);
+    return SetInfeasible(PlanObstruction::kGoalBlocked, ExplainBlocked(space(), "the goal", goal.point_), result);
   }
   if (!start.laid_) {
     const LaidCableFault& fault = start.laid_.error();
-    return SetInfeasible(fault.obstruction, ExplainLaidCable(*space_, fault.obstruction, fault.at), result);
+    return SetInfeasible(fault.obstruction, ExplainLaidCable(space(), fault.obstruction, fault.at), result);
   }
   const LaidCable& laid = *start.laid_;
   result.start = start.taut_;
   const auto unreachable = [&] {
     SetInfeasible(PlanObstruction::kGoalUnreachable, ExplainApart("the goal", goal.point_, "the robot"), result);
   };
-  if (!space_->mesh().Connected(laid.robot(), *goal.place_)) return unreachable();
+  if (!space().mesh().Connected(laid.robot(), *goal.place_)) return unreachable();
 
   std::optional<GoalField> own_field;
   if (!goal.field_) {
-    own_field.emplace(*space_, *goal.place_,
+    own_field.emplace(space(), *goal.place_,
                       GoalFieldOptions{.targets = {laid.walk.at, laid.walk.from}, .keep_going = options.keep_going});
   }
   const GoalDistances field = goal.field_ ? GoalDistances(*goal.field_) : GoalDistances(*own_field);
-  const ShortestWays shortest(*space_, start, *goal.place_, field);
+  const ShortestWays shortest(space(), start, *goal.place_, field);
   std::optional<Polyline> nearest = shortest.FromBase();
   if (!nearest) return unreachable();
   if (result.start.length > limit) {
@@ -265,9 +253,9 @@ void TetherPlanner::Decide(const PreparedStart& start, const PreparedGoal& goal,
   }
   if (Length(*nearest) + laid.socket.stub_length > limit) {
     if (laid.socket.stub_length > 0) nearest->insert(nearest->begin(), laid.socket.base);
-    result.shortest_tether = space_->MakePath(std::move(*nearest));
+    result.shortest_tether = space().MakePath(std::move(*nearest));
     return SetInfeasible(PlanObstruction::kTetherTooShort,
-                         ExplainTooShort(*space_, *result.shortest_tether, result.limit), result);
+                         ExplainTooShort(space(), *result.shortest_tether, result.limit), result);
   }
   const std::optional<Polyline> direct = laid.at_root() ? nearest : shortest.FromRobot();
   TAUTLINE_CHECK(direct);

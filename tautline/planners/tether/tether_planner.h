@@ -8,7 +8,7 @@
 #include "tautline/base/error.h"
 #include "tautline/homotopy/classes.h"
 #include "tautline/homotopy/socket.h"
-#include "tautline/homotopy/taut_space.h"
+#include "tautline/homotopy/taut_ground.h"
 #include "tautline/planners/tether/plan.h"
 
 namespace tautline {
@@ -124,24 +124,16 @@ class TetherPlanner {
   ClassList TethersTo(const Socket& socket, const Walk& root, Place goal, const ClassOptions& options) const;
 
   /// The free space with clearance, prepared for taut curves.
-  const TautSpace& space() const { return *space_; }
+  const TautSpace& space() const { return ground_.space(); }
   /// The free space without clearance; that of `space` where there is none.
-  const FreeSpace& ungrown_space() const { return ungrown_ ? ungrown_->space : space_->free_space(); }
+  const FreeSpace& ungrown_space() const { return ground_.ungrown_space(); }
   /// The free mesh without clearance: what a socket's stub may cross.
-  const FreeMesh& ungrown() const { return ungrown_ ? ungrown_->mesh : space_->mesh(); }
+  const FreeMesh& ungrown() const { return ground_.ungrown(); }
 
  private:
   friend class PreparedFile;
 
-  /// The free space without clearance, where there is one.
-  struct Ungrown {
-    explicit Ungrown(FreeSpace free_space) : space(std::move(free_space)), mesh(space) {}
-
-    FreeSpace space;
-    FreeMesh mesh;
-  };
-
-  TetherPlanner() = default;
+  explicit TetherPlanner(TautGround ground) : ground_(std::move(ground)) {}
 
   PreparedStart StartOf(const Tether& tether) const;
   PreparedGoal GoalAt(Point goal) const;
@@ -153,8 +145,7 @@ class TetherPlanner {
   void ListAll(const LaidCable& laid, Place goal, const PlanOptions& options, PlanResult& result) const;
   Motion MotionAlong(const LaidCable& laid, const Polyline& path) const;
 
-  std::unique_ptr<const TautSpace> space_;
-  std::unique_ptr<const Ungrown> ungrown_;
+  TautGround ground_;
 };
 
 }  // namespace tautline
