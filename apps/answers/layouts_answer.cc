@@ -31,7 +31,8 @@ void AddLayouts(const FleetSetup& setup, const LayoutsResult& result, Json& json
 /// Why there is no layout, as a slug and a sentence.
 std::pair<std::string, std::string> WhyNone(const LayoutsAnswer& answer, const LayoutsOptions& options) {
   const LayoutsResult& result = answer.result;
-  if (result.budget_exceeded) return {"budget_exceeded", "the budget ran out before a layout was found; raise --budget"};
+  if (result.budget_exceeded)
+    return {"budget_exceeded", "the budget ran out before a layout was found; raise --budget"};
   const bool limited = options.max_length || options.max_total;
   if (!result.without_route.empty()) {
     return {"no_cable_line", "robot " + answer.setup.name(result.without_route[0]) + " has no cable line" +
