@@ -2,7 +2,8 @@
 #ifndef TAUTLINE_PLANNERS_FLEET_ROUTE_SEARCH_H_
 #define TAUTLINE_PLANNERS_FLEET_ROUTE_SEARCH_H_
 
-#include <map>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <queue>
 #include <utility>
