@@ -36,7 +36,7 @@ void ForEachBit(const Bits& bits, Visit visit) {
 /// Counts the steps of all parts of a search, and asks whether to go on.
 class Budget {
  public:
-  Budget(std::int64_t steps, const Watcher& watch) : left_(steps), watch_(watch) {}
+  Budget(std::int64_t steps, const Watcher& watch) : all_(steps), left_(steps), watch_(watch) {}
 
   std::int64_t left() const { return stopped_ ? 0 : left_; }
 
@@ -46,12 +46,14 @@ class Budget {
     left_ -= steps;
     if ((since_ += steps) >= kStepsPerQuestion) {
       since_ = 0;
-      if (watch_ && !watch_("layouts", 0)) stopped_ = true;
+      const double spent = 1 - static_cast<double>(left_) / static_cast<double>(all_);
+      if (watch_ && !watch_("share of the budget", std::min(spent, 1.0))) stopped_ = true;
     }
     return left() > 0;
   }
 
  private:
+  std::int64_t all_;
   std::int64_t left_;
   std::int64_t since_ = 0;
   bool stopped_ = false;
