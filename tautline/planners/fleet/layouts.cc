@@ -270,7 +270,7 @@ class LayoutsSearch {
         }
       }
       if (search.candidates().empty()) {
-        result.without_route.push_back(RobotId(i));
+        result.without_route.emplace_back(i);
       } else {
         shortest_.push_back(search.candidates().front().length);
         least_ += shortest_.back();

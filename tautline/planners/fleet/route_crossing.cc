@@ -30,7 +30,7 @@ struct Strand {
   const FleetGround& ground;
   const Route& route;
   std::ptrdiff_t step;
-  int direction;  ///< 1 or -1.
+  std::ptrdiff_t direction;  ///< 1 or -1.
 
   std::optional<FleetNodeId> Node(int ahead) const {
     const std::ptrdiff_t at = step + ahead * direction;
