@@ -75,7 +75,7 @@ std::vector<FleetNodeId> FleetGround::NodesBetween(Point a, Point b) const {
   std::vector<FleetNodeId> nodes;
   index_->ForEachAlong(a, b, 0, [&](std::size_t k) {
     const Point p = points_[k];
-    if (p != a && p != b && OnSegment(a, b, p)) nodes.push_back(FleetNodeId(k));
+    if (p != a && p != b && OnSegment(a, b, p)) nodes.emplace_back(k);
   });
   std::sort(nodes.begin(), nodes.end(), [&](FleetNodeId p, FleetNodeId q) {
     const double to_p = Distance(a, point(p)), to_q = Distance(a, point(q));
