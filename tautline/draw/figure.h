@@ -73,6 +73,9 @@ class Figure {
   /// Islands whose names must not be left out.
   void Name(const std::set<ObstacleId>& islands) { map_.Name(islands); }
 
+  /// The map, for what draws on maps of all kinds.
+  MapDrawing& map() { return map_; }
+
   /// From metres to pixels of this figure.
   const View& view() const { return map_.view(); }
 

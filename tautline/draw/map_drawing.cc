@@ -156,10 +156,10 @@ Point MapDrawing::OnMap(Point at) const {
   return {std::clamp(pixel.x, map.low.x, map.high.x), std::clamp(pixel.y, map.low.y, map.high.y)};
 }
 
-void MapDrawing::Mark(Marker marker, Point at, const std::string& label) {
+void MapDrawing::Mark(Marker marker, Point at, const std::string& label, const std::string& colour) {
   const Point pixel = OnMap(at);
   const bool outside = Distance(pixel, view_.ToPixels(at)) > 1;
-  marks_.push_back({marker, pixel, outside && !label.empty() ? label + " (outside)" : label});
+  marks_.push_back({marker, pixel, outside && !label.empty() ? label + " (outside)" : label, colour});
 }
 
 void MapDrawing::LabelLine(std::span<const Point> line, const std::string& label, const std::string& colour) {
@@ -207,7 +207,7 @@ void MapDrawing::DrawNumbers() {
 
 void MapDrawing::DrawMarks() {
   svg_.OpenGroup("markers");
-  for (const PendingMark& mark : marks_) DrawMarker(svg_, mark.marker, mark.at);
+  for (const PendingMark& mark : marks_) DrawMarker(svg_, mark.marker, mark.at, mark.colour);
   svg_.CloseGroup();
 }
 

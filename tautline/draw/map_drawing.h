@@ -49,7 +49,7 @@ class MapDrawing {
 
   /// A symbol at a point in metres, with its name beside it when not empty. Points outside of the
   /// map are drawn on its rim.
-  void Mark(Marker marker, Point at, const std::string& label = "");
+  void Mark(Marker marker, Point at, const std::string& label = "", const std::string& colour = "");
 
   /// A label, of one or more lines, beside a line in metres.
   void LabelLine(std::span<const Point> line, const std::string& label, const std::string& colour);
@@ -84,6 +84,7 @@ class MapDrawing {
     Marker marker;
     Point at;
     std::string label;
+    std::string colour;
   };
   struct PendingLabel {
     Polyline line;
