@@ -4,8 +4,8 @@
 
 namespace tautline {
 
-PinGrid::PinGrid(std::span<const Point> pins) {
-  const Box box = pins.empty() ? Box{{0, 0}, {1, 1}} : BoundingBox(pins);
+PinGrid::PinGrid(std::span<const Point> pins, std::span<const Point> places) {
+  const Box box = places.empty() ? Box{{0, 0}, {1, 1}} : BoundingBox(places);
   const Point size = box.size();
   low_ = box.low;
   const double count = static_cast<double>(std::max<std::size_t>(pins.size(), 1));

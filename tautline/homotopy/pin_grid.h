@@ -13,11 +13,11 @@
 
 namespace tautline {
 
-/// Which pins and which strings are near something. What is outside of the box of the first pins is kept at its rim.
+/// Which pins and which strings are near something. What is outside of the box of the given places is kept at its rim.
 class PinGrid {
  public:
-  /// About as many cells as there are pins. O(n).
-  explicit PinGrid(std::span<const Point> pins);
+  /// About as many cells as there are pins, over the box of `places`. O(n).
+  PinGrid(std::span<const Point> pins, std::span<const Point> places);
 
   /// Where a pin stands from now on, or that it is gone from where it stood.
   void Add(PinId pin, Point at) { pins_[CellOf(at)].push_back(pin); }

@@ -152,8 +152,8 @@ class Pusher {
 /// Pins, strings, and where both are.
 class TautStrings::Tangle {
  public:
-  explicit Tangle(std::span<const Point> pins)
-      : pins_(pins.begin(), pins.end()), base_of_(pins.size()), grid_(pins), pins_near_(NearPins()) {}
+  Tangle(std::span<const Point> pins, std::span<const Point> places)
+      : pins_(pins.begin(), pins.end()), base_of_(pins.size()), grid_(pins, places), pins_near_(NearPins()) {}
   Tangle(const Tangle&) = delete;
   Tangle& operator=(const Tangle&) = delete;
 
@@ -231,7 +231,8 @@ class TautStrings::Tangle {
   PinsNear pins_near_;
 };
 
-TautStrings::TautStrings(std::span<const Point> pins) : tangle_(std::make_unique<Tangle>(pins)) {}
+TautStrings::TautStrings(std::span<const Point> pins, std::span<const Point> places)
+    : tangle_(std::make_unique<Tangle>(pins, places)) {}
 TautStrings::~TautStrings() = default;
 TautStrings::TautStrings(TautStrings&&) noexcept = default;
 TautStrings& TautStrings::operator=(TautStrings&&) noexcept = default;

@@ -47,7 +47,9 @@ class TautStrings {
  public:
   /// Pins by PinId, metres. No two may be at one place, but for those that Tie is called for next. An obstacle is the
   /// pins at its corners: pins that move must be led around it. O(n).
-  explicit TautStrings(std::span<const Point> pins);
+  explicit TautStrings(std::span<const Point> pins) : TautStrings(pins, pins) {}
+  /// The same where pins will come to other places than these: `places` says which, roughly, for speed.
+  TautStrings(std::span<const Point> pins, std::span<const Point> places);
   ~TautStrings();
   TautStrings(TautStrings&&) noexcept;
   TautStrings& operator=(TautStrings&&) noexcept;

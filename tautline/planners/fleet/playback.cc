@@ -143,11 +143,22 @@ class Witness {
   bool lost_ = false;
 };
 
+/// Where robots come to, and what they go around.
+std::vector<Point> NodesOf(const FleetGround& ground) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < ground.node_count(); ++i) points.push_back(ground.point(FleetNodeId(i)));
+  return points;
+}
+
 /// The robots on their tracks, and their cables.
 class Stage {
  public:
   Stage(const FleetGround& ground, const std::vector<RobotSchedule>& schedule, bool with_words)
-      : ground_(ground), schedule_(schedule), pins_(ground), size_(SizeOf(ground)), strings_(pins_.points) {
+      : ground_(ground),
+        schedule_(schedule),
+        pins_(ground),
+        size_(SizeOf(ground)),
+        strings_(pins_.points, NodesOf(ground)) {
     for (std::size_t i = 0; i < ground.size(); ++i) strings_.Tie(PinId(i), pins_.robot(RobotId(i)));
     std::vector<Route> routes;
     for (const RobotSchedule& robot : schedule) routes.push_back(robot.path.route);
