@@ -99,7 +99,7 @@ class PrintedPlanner {
 
   void TakeOut(std::size_t robot) {
     alive_[robot] = false;
-    plan_.detours.push_back(RobotId(robot));
+    plan_.detours.emplace_back(robot);
   }
 
   void DissolvePairDeadlocks() {
