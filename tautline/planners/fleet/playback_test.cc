@@ -14,7 +14,6 @@
 #include "tautline/planners/fleet/plan_fleet.h"
 #include "tautline/planners/fleet/random_fleet.h"
 #include "tautline/planners/fleet/robot_paths.h"
-#include "tautline/scene/scene_reader.h"
 
 namespace tautline {
 namespace {
@@ -146,7 +145,7 @@ TEST(Playback, NoOrderOfOneAfterTheOtherMakesTheCircleAndAllAtOnceDo) {
   } while (std::next_permutation(order.begin(), order.end()));
   for (const FleetMode mode : {FleetMode::kStraightConcurrent, FleetMode::kStraightSequential,
                                FleetMode::kBentConcurrent, FleetMode::kBentSequential}) {
-    const auto plan = PlanFleet(*ground, *layout, {.mode = mode});
+    const auto plan = PlanFleet(*ground, *layout, {.mode = mode, .gap = {}});
     ASSERT_TRUE(plan.has_value());
     std::vector<Passing> passings;
     if (plan->detours.empty() && mode == FleetMode::kStraightConcurrent) passings = plan->passings;
