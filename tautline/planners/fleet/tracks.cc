@@ -33,6 +33,9 @@ class Weaver {
 
   std::vector<Polyline> Weave(const TrackOptions& options) {
     FindEnds();
+    for (std::size_t r = 0; r < routes_.size(); ++r) {
+      for (std::size_t i = 1; i + 1 < routes_[r].size(); ++i) passages_[routes_[r][i].node].push_back({r, i, 1});
+    }
     TakeSides();
     FindReaches();
     const double spacing = options.spacing ? *options.spacing : TinySpacing();
@@ -74,8 +77,11 @@ class Weaver {
         if (side == Side::kNone) unclear.push_back(s);
       }
       if (unclear.size() == open.size()) {
-        routes_[unclear.back().route][unclear.back().step].side = Side::kLeft;
-        unclear.pop_back();
+        const auto held = std::find_if(unclear.begin(), unclear.end(),
+                                       [this](const Strand& s) { return SideOfBends(s) != Side::kNone; });
+        const auto next = held != unclear.end() ? held : unclear.end() - 1;
+        routes_[next->route][next->step].side = held != unclear.end() ? SideOfBends(*next) : Side::kLeft;
+        unclear.erase(next);
       }
       open = std::move(unclear);
     }
@@ -96,6 +102,17 @@ class Weaver {
       if (turn != 0) return SideOfSign(turn);
     }
     return Side::kLeft;
+  }
+
+  /// The side to which routes bend that bend around the node.
+  Side SideOfBends(const Strand& strand) const {
+    const Point before = At(StepOf(Next(Turned(strand)))), after = At(StepOf(Next(strand)));
+    for (const Strand& other : passages_.at(StepOf(strand).node)) {
+      const int arrival = Orientation(before, after, At(StepOf(Next(Turned(other)))));
+      const int departure = Orientation(before, after, At(StepOf(Next(other))));
+      if (arrival * departure >= 0 && arrival + departure != 0) return SideOfSign(arrival + departure);
+    }
+    return Side::kNone;
   }
 
   static Side SideOfSign(int sign) { return sign > 0 ? Side::kLeft : sign < 0 ? Side::kRight : Side::kNone; }
@@ -200,13 +217,8 @@ class Weaver {
 
   /// How far from its node each track turns, in spacings: so far that what is nearer to the node stays inside of it.
   void FindReaches() {
-    std::map<FleetNodeId, std::vector<Strand>> passages;
-    reaches_.resize(routes_.size());
-    for (std::size_t r = 0; r < routes_.size(); ++r) {
-      reaches_[r].assign(routes_[r].size(), 0);
-      for (std::size_t i = 1; i + 1 < routes_[r].size(); ++i) passages[routes_[r][i].node].push_back({r, i, 1});
-    }
-    for (const auto& [node, strands] : passages) Nest(strands);
+    for (const Route& route : routes_) reaches_.emplace_back(route.size(), 0.0);
+    for (const auto& [node, strands] : passages_) Nest(strands);
   }
 
   /// The same for the strands that pass one node.
@@ -266,6 +278,7 @@ class Weaver {
   const FleetGround& ground_;
   std::vector<Route> routes_;
   std::map<FleetNodeId, Strand> ends_;
+  std::map<FleetNodeId, std::vector<Strand>> passages_;
   std::vector<std::vector<double>> reaches_;  ///< By route and step, in spacings; 0 at the ends.
   double most_ = 1;                           ///< Of all reaches.
 };
