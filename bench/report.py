@@ -240,9 +240,10 @@ def fleet(results):
         v = lambda counter: results.value(name, counter)
         whole = sum(v(stage) for stage in FLEET_STAGES)
         rows.append([count(v("robots")), count(v("crossings")), count(v("detours")),
-                     *(seconds(v(stage)) for stage in FLEET_STAGES), seconds(whole)])
+                     *(seconds(v(stage)) for stage in FLEET_STAGES), seconds(whole), seconds(v("measure")),
+                     count(v("differing"))])
     return table(["robots", "crossings", "detours", "ground", "cable lines read", "layout checked", "motion planned",
-                  "played", "all together"], rows)
+                  "played", "all together", "played and cables measured", "cables that come out otherwise"], rows)
 
 
 def fleet_peer(results):

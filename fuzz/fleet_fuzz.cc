@@ -126,9 +126,7 @@ std::optional<FleetLayout> AnyLayout(const FleetGround& ground, const Question& 
 }
 
 void CheckPlayed(const FleetGround& ground, const FleetLayout& layout, const FleetPlan& plan) {
-  std::vector<Passing> passings = plan.passings;
-  passings.insert(passings.end(), plan.detour_passings.begin(), plan.detour_passings.end());
-  const auto playback = Play(ground, layout, plan.schedule, passings);
+  const auto playback = Play(ground, layout, plan.schedule, PassingsDriven(plan));
   TAUTLINE_CHECK(playback.has_value());
   TAUTLINE_CHECK(playback->matches());
 }

@@ -52,6 +52,9 @@ class LayoutSearch {
       : ground_(ground), options_(options), paths_(ground, ShortestPaths(ground, shortest)) {}
 
   ChosenLayout Run() {
+    for (const FleetRobot& robot : ground_.robots()) {
+      if (robot.tether) measured_ = PlaybackOptions().measured;
+    }
     result_.crossings = paths_.crossings().size();
     try {
       Search();
@@ -104,7 +107,7 @@ class LayoutSearch {
   Value Play(const PassingOrders& orders, double time, FleetLayout& layout) const {
     constexpr std::size_t kUnplayable = std::numeric_limits<std::size_t>::max() - 1;
     const auto [schedule, passings] = paths_.Schedule(orders);
-    const auto playback = tautline::Play(ground_, {}, schedule, passings, {.words_up_to = 0});
+    const auto playback = tautline::Play(ground_, {}, schedule, passings, {.words_up_to = 0, .measured = measured_});
     if (!playback || !playback->broken.empty()) return {kUnplayable, time, 0};
     Value value{0, time, 0};
     layout = playback->final_routes;
@@ -216,6 +219,7 @@ class LayoutSearch {
   std::vector<std::pair<double, PassingOrders>> listed_;
   std::int64_t steps_ = 0;
   std::int64_t goal_ = 1;
+  std::size_t measured_ = 0;  ///< On the way, for the sake of tethers.
   bool proved_ = false;
 };
 

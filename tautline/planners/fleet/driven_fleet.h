@@ -22,7 +22,7 @@ struct FleetInRowsOptions {
   std::size_t row = 0;       ///< Robots in a row; 0: about the root of `robots`.
   double reach = 6;          ///< How far a target is from its start along the row at most, in steps of the row.
   double height = 4;         ///< The height of a strip, in the same steps.
-  double detours = 0.1;      ///< The share of robots that were led over another place, so that deadlocks occur.
+  double detours = 0.02;     ///< The share of robots that were led over another place, so that deadlocks occur.
 };
 
 namespace driven_fleet {

@@ -28,4 +28,14 @@ Point PositionAt(const RobotSchedule& schedule, double t_s) {
   return Lerp(last.at, next->at, (t_s - last.departure) / (next->arrival - last.departure));
 }
 
+std::vector<Passing> PassingsDriven(const FleetPlan& plan) {
+  std::vector<Passing> passings;
+  const auto is_straight = [&](RobotId robot) { return !plan.schedule[robot.index()].path.is_cable; };
+  for (const Passing& passing : plan.passings) {
+    if (is_straight(passing.first) && is_straight(passing.second)) passings.push_back(passing);
+  }
+  passings.insert(passings.end(), plan.detour_passings.begin(), plan.detour_passings.end());
+  return passings;
+}
+
 }  // namespace tautline

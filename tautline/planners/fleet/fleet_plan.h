@@ -121,6 +121,10 @@ struct FleetPlan {
 /// Where a robot is at a time, as its schedule says. O(log n) for n events.
 Point PositionAt(const RobotSchedule& schedule, double t_s);
 
+/// The orders that the motion keeps: those of robots that drive straight, and those with robots on a detour. They are
+/// what a playback asks for.
+std::vector<Passing> PassingsDriven(const FleetPlan& plan);
+
 }  // namespace tautline
 
 #endif  // TAUTLINE_PLANNERS_FLEET_FLEET_PLAN_H_

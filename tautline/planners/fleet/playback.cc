@@ -26,8 +26,6 @@ constexpr double kAtEvent = 1e-9;
 constexpr double kOffCrossing = 1e-7;
 /// Share of the travel time by which moments are one.
 constexpr double kSameMoment = 1e-9;
-/// Cables are measured at this many moments times robots, at most; at all moments where there are fewer.
-constexpr std::size_t kMostMeasured = 2'000'000;
 /// The second witness: a robot on its base stands this far beside it, and loops keep that far off their line.
 constexpr double kBesideBase = 1e-12, kLoopGap = 1e-11;
 /// A robot whose target is a corner stops at this share of its last stretch before it.
@@ -256,7 +254,7 @@ class Stage {
 /// robots move straight and with constant speed. Then a taut length is convex in time: it is so while the pins that
 /// hold the cable stay, being a sum of distances between points that move uniformly; and where it meets a pin or loses
 /// one, its rate does not jump, since it is straight there. So it is longest at one of these moments.
-std::vector<double> MomentsOf(const std::vector<RobotSchedule>& schedule, double close) {
+std::vector<double> MomentsOf(const std::vector<RobotSchedule>& schedule, double close, std::size_t measured) {
   std::vector<double> moments;
   for (const RobotSchedule& robot : schedule) {
     for (const FleetEvent& event : robot.events) {
@@ -267,7 +265,7 @@ std::vector<double> MomentsOf(const std::vector<RobotSchedule>& schedule, double
   std::sort(moments.begin(), moments.end());
   moments.erase(std::unique(moments.begin(), moments.end(), [close](double a, double b) { return b - a <= close; }),
                 moments.end());
-  const std::size_t most = std::max<std::size_t>(kMostMeasured / schedule.size(), 2);
+  const std::size_t most = std::max<std::size_t>(measured / schedule.size(), 2);
   if (moments.size() <= most) return moments;
   std::vector<double> some;
   for (std::size_t k = 0; k < most; ++k) some.push_back(moments[k * (moments.size() - 1) / (most - 1)]);
@@ -365,7 +363,7 @@ class Performance {
   std::optional<PlaybackCollision> Run(const std::vector<RobotSchedule>& schedule, Playback& playback) {
     const double close = stage_.closeness().moment, end = stage_.travel_time();
     std::vector<std::pair<double, bool>> moments;  // And whether a picture is taken.
-    for (const double t : MomentsOf(schedule, close)) moments.emplace_back(t, false);
+    for (const double t : MomentsOf(schedule, close, options_.measured)) moments.emplace_back(t, false);
     for (int k = 0; k + 1 < options_.frames; ++k) {
       moments.emplace_back(end * k / (options_.frames - 1), true);
     }
