@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "tautline/planners/fleet/driven_fleet.h"
+#include "tautline/planners/fleet/plan_fleet.h"
 
 namespace tautline {
 namespace {
@@ -80,6 +84,33 @@ TEST(FleetAsPrintedTest, TheOrdersOfFigure11) {
   EXPECT_EQ(Sorted(plan.passings), PairsOf({{1, 2}, {1, 5}, {3, 4}, {4, 1}, {4, 2}, {5, 4}}));
   EXPECT_TRUE(plan.detours.empty());
   EXPECT_NEAR(plan.travel_time, 15.875767697972908, 1e-9);
+}
+
+TEST(FleetAsPrintedTest, FindsWhatTheLibraryFindsInRandomRows) {
+  std::size_t passings = 0, deadlocks = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const Scene scene = FleetInRows(rng, {.robots = 40, .row = 20, .detours = 0.2});
+    const FleetGround ground = FleetGround::Prepare(scene).value();
+    const FleetLayout layout = ReadLayout(ground).value();
+    const FleetPlan plan = PlanFleet(ground, layout).value();
+    const PrintedPlan printed = PlanAsPrinted(ground, layout);
+    Pairs orders, pairs;
+    for (const Passing& passing : plan.passings) orders.emplace_back(passing.first, passing.second);
+    for (const PairDeadlock& pair : plan.pair_deadlocks) pairs.emplace_back(pair.a, pair.b);
+    EXPECT_EQ(Sorted(printed.passings), Sorted(orders));
+    EXPECT_EQ(Sorted(printed.pair_deadlocks), Sorted(pairs));
+    EXPECT_EQ(printed.detours.empty(), plan.detours.empty());
+    EXPECT_GE(printed.detours.size(), plan.detours.size());
+    if (printed.detours.empty()) {
+      EXPECT_NEAR(printed.travel_time, plan.travel_time, 1e-9 * plan.travel_time);
+    }
+    passings += orders.size();
+    deadlocks += pairs.size();
+  }
+  EXPECT_GT(passings, 1000u);
+  EXPECT_GT(deadlocks, 5u);
 }
 
 }  // namespace
