@@ -121,6 +121,9 @@ struct FleetPlan {
   std::array<ModeSummary, 4> modes;      ///< By FleetMode.
 };
 
+/// The passings whose order the motion of a plan keeps: those between paths that are driven.
+std::vector<Passing> PassingsToKeep(const FleetPlan& plan);
+
 /// Where a robot is at a time, as its schedule says. O(log n) for n events.
 Point PositionAt(const RobotSchedule& schedule, double t_s);
 
