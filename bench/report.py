@@ -230,7 +230,7 @@ def workspace_length(results):
                           lambda v: f"{100 * v('share'):.0f} %")
 
 
-FLEET_STAGES = ("prepare", "read", "check", "plan", "play")
+FLEET_STAGES = ("prepare", "read", "check", "play")
 
 
 def fleet(results):
@@ -240,10 +240,9 @@ def fleet(results):
         v = lambda counter: results.value(name, counter)
         whole = sum(v(stage) for stage in FLEET_STAGES)
         rows.append([count(v("robots")), count(v("crossings")), count(v("detours")),
-                     *(seconds(v(stage)) for stage in FLEET_STAGES), seconds(whole), seconds(v("measure")),
-                     count(v("differing"))])
-    return table(["robots", "crossings", "detours", "ground", "cable lines read", "layout checked", "motion planned",
-                  "played", "all together", "played and cables measured", "cables that come out otherwise"], rows)
+                     *(seconds(v(stage)) for stage in FLEET_STAGES), seconds(whole), seconds(v("measure"))])
+    return table(["robots", "crossings", "detours", "ground", "cable lines read", "layout checked", "motion planned and played",
+                  "all together", "played once more, cables measured"], rows)
 
 
 def fleet_peer(results):
@@ -254,7 +253,7 @@ def fleet_peer(results):
         rows.append([count(v("robots")), seconds(v("plan")), seconds(v("printed")), times(v("printed") / v("plan")),
                      count(v("detours")), count(v("printed_detours")), binary_bytes(v("kept_bytes")),
                      binary_bytes(v("peak_bytes")), f"{v('bytes_per_crossing'):.0f} B"])
-    return table(["robots", "tautline: motion planned", "as printed", "ratio", "detours", "as printed", "memory of the plan",
+    return table(["robots", "tautline: motion planned, not played", "as printed", "ratio", "detours", "as printed", "memory of the plan",
                   "peak", "per crossing"], rows)
 
 
@@ -271,8 +270,8 @@ def fleet_series(results):
     points = {}
     for size in FLEETS:
         v = lambda counter: results.value(f"fleet/robots/{size}", counter)
-        for what, value in (("layout checked, motion planned, played", sum(v(stage) for stage in FLEET_STAGES)),
-                            ("motion planned", v("plan")), ("as printed", v("printed"))):
+        for what, value in (("ground, cable lines, check, motion planned and played", sum(v(stage) for stage in FLEET_STAGES)),
+                            ("motion planned, not played", v("plan")), ("as printed", v("printed"))):
             points.setdefault(what, []).append((v("robots"), value))
     return points
 

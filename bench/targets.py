@@ -81,5 +81,5 @@ def all_targets():
     for size, limit in (("1000", 1), ("10000", 60)):
         name = f"fleet/robots/{size}"
         targets.append(Target(f"fleet of {int(size):,} robots: layout checked, motion planned and played",
-                              lambda r, n=name: r.time(n) + r.value(n, "play"), limit, command=command))
+                              time_of(name), limit, command=command))
     return targets

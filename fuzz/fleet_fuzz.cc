@@ -126,7 +126,7 @@ std::optional<FleetLayout> AnyLayout(const FleetGround& ground, const Question& 
 }
 
 void CheckPlayed(const FleetGround& ground, const FleetLayout& layout, const FleetPlan& plan) {
-  const auto playback = Play(ground, layout, plan.schedule, PassingsDriven(plan));
+  const auto playback = Play(ground, layout, plan.schedule, PassingsToKeep(plan));
   TAUTLINE_CHECK(playback.has_value());
   TAUTLINE_CHECK(playback->matches());
 }

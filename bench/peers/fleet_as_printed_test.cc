@@ -94,7 +94,7 @@ TEST(FleetAsPrintedTest, FindsWhatTheLibraryFindsInRandomRows) {
     const Scene scene = FleetInRows(rng, {.robots = 40, .row = 20, .detours = 0.2});
     const FleetGround ground = FleetGround::Prepare(scene).value();
     const FleetLayout layout = ReadLayout(ground).value();
-    const FleetPlan plan = PlanFleet(ground, layout).value();
+    const FleetPlan plan = PlanFleet(ground, layout, {.play = false}).value();
     const PrintedPlan printed = PlanAsPrinted(ground, layout);
     Pairs orders, pairs;
     for (const Passing& passing : plan.passings) orders.emplace_back(passing.first, passing.second);
