@@ -272,7 +272,7 @@ class Player {
         schedule_(schedule),
         meetings_(std::move(meetings)),
         ahead_(schedule.size()),
-        passed_(schedule.size()),
+
         done_(schedule.size(), 0) {
     for (const Meeting& meeting : meetings_) ahead_[meeting.robot.index()].push_back(&meeting);
   }
@@ -315,8 +315,7 @@ class Player {
   const std::vector<RobotSchedule>& schedule_;
   std::vector<Meeting> meetings_;
   std::vector<std::vector<const Meeting*>> ahead_;  ///< By RobotId, in order.
-  std::vector<std::size_t> passed_;
-  std::vector<std::size_t> done_;  ///< By RobotId: how many of its meetings it has passed.
+  std::vector<std::size_t> done_;                   ///< By RobotId: how many of its meetings it has passed.
   std::size_t next_ = 0;
 };
 
