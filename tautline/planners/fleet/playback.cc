@@ -27,7 +27,7 @@ constexpr double kOffCrossing = 1e-7;
 /// Share of the travel time by which moments are one.
 constexpr double kSameMoment = 1e-9;
 /// Cables are measured at this many moments times robots, at most; at all moments where there are fewer.
-constexpr std::size_t kMostMeasured = 2'000'000;
+constexpr std::size_t kMostMeasured = 1'000'000;
 /// The second witness: a robot on its base stands this far beside it, and loops keep that far off their line.
 constexpr double kBesideBase = 1e-12, kLoopGap = 1e-11;
 /// A robot whose target is a corner stops at this share of its last stretch before it.
