@@ -29,9 +29,9 @@ RobotSchedule DriveFrom(double start, const FleetRobot& robot, RobotPath path) {
   RobotSchedule schedule;
   for (std::size_t k = 0; k < path.points.size(); ++k) {
     FleetEvent event;
-    event.kind = k == 0                          ? FleetEventKind::kStart
+    event.kind = k == 0                        ? FleetEventKind::kStart
                  : k + 1 == path.points.size() ? FleetEventKind::kTarget
-                                                 : FleetEventKind::kBend;
+                                               : FleetEventKind::kBend;
     event.at = path.points[k];
     event.along = path.along[k];
     event.departure = start + path.along[k] / robot.speed;
@@ -60,8 +60,8 @@ Expected<DrivenPlan> InTurns(const FleetSetup& setup, const std::vector<std::str
   }
   for (std::size_t i = 0; i < ground.size(); ++i) {
     if (!driven.schedule[i].events.empty()) continue;
-    return InvalidInput("'" + setup.name(RobotId(i)) + "' is missing: name all robots, in the order in which they drive",
-                        "--order");
+    return InvalidInput(
+        "'" + setup.name(RobotId(i)) + "' is missing: name all robots, in the order in which they drive", "--order");
   }
   // What the orders would have to be; some layouts have none.
   if (const auto plan = PlanFleet(ground, **setup.layout)) driven.passings = plan->passings;
@@ -102,9 +102,7 @@ void AddCables(SimulateAnswer& answer) {
                                     {"cable", PointsJson(PointsOf(setup.ground, playback.final_routes[i]))},
                                     {"length", LengthOf(setup.ground, playback.final_routes[i])},
                                     {"matches", !differs}});
-    Json longest = {{"robot", setup.name(robot)},
-                    {"length", playback.longest[i].length},
-                    {"t", playback.longest[i].t}};
+    Json longest = {{"robot", setup.name(robot)}, {"length", playback.longest[i].length}, {"t", playback.longest[i].t}};
     const auto& tether = setup.ground.robot(robot).tether;
     if (tether) longest["limit"] = *tether;
     answer.json["longest_tethers"].push_back(std::move(longest));

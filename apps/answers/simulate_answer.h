@@ -23,12 +23,12 @@ struct SimulateQuestion {
 
 struct SimulateAnswer {
   FleetSetup setup;
-  std::vector<RobotSchedule> schedule = {};           ///< What was played, by RobotId; empty where nothing was.
-  std::optional<Playback> playback = {};              ///< Nothing where nothing was, or where robots meet.
-  std::vector<RobotId> too_short = {};                ///< Robots whose tethers would have to be longer.
-  std::string explanation = {};                       ///< Why it does not come out; empty when it does.
-  Json json = {};                                     ///< The result as docs/fleet_simulate.md describes it.
-  ExitStatus status = kExitSolved;                    ///< kExitInfeasible where the layout does not come out.
+  std::vector<RobotSchedule> schedule = {};  ///< What was played, by RobotId; empty where nothing was.
+  std::optional<Playback> playback = {};     ///< Nothing where nothing was, or where robots meet.
+  std::vector<RobotId> too_short = {};       ///< Robots whose tethers would have to be longer.
+  std::string explanation = {};              ///< Why it does not come out; empty when it does.
+  Json json = {};                            ///< The result as docs/fleet_simulate.md describes it.
+  ExitStatus status = kExitSolved;           ///< kExitInfeasible where the layout does not come out.
 };
 
 /// Plays a plan: one that is made for the scene's layout, the one that is given, or robots one after the other. Errors:

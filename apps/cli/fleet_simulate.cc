@@ -29,7 +29,8 @@ struct SimulateCommand {
 };
 
 FleetMode ModeOf(const std::string& name) {
-  for (const FleetMode mode : {FleetMode::kStraightSequential, FleetMode::kBentConcurrent, FleetMode::kBentSequential}) {
+  for (const FleetMode mode :
+       {FleetMode::kStraightSequential, FleetMode::kBentConcurrent, FleetMode::kBentSequential}) {
     if (ToString(mode) == name) return mode;
   }
   return FleetMode::kStraightConcurrent;
@@ -39,9 +40,8 @@ std::string ToText(const SimulateAnswer& answer) {
   if (!answer.playback) return fmt::format("It does not come out: {}.\n", answer.explanation);
   const Playback& playback = *answer.playback;
   const FleetGround& ground = answer.setup.ground;
-  std::string text = answer.status == kExitSolved
-                         ? std::string("The layout comes out, and every order is kept.\n")
-                         : fmt::format("It does not come out: {}.\n", answer.explanation);
+  std::string text = answer.status == kExitSolved ? std::string("The layout comes out, and every order is kept.\n")
+                                                  : fmt::format("It does not come out: {}.\n", answer.explanation);
   const std::size_t count = playback.final_routes.size();
   for (std::size_t i = 0; i < std::min(count, kMostListed); ++i) {
     const bool differs = std::binary_search(playback.differing.begin(), playback.differing.end(), RobotId(i));
@@ -59,7 +59,8 @@ std::string ToText(const SimulateAnswer& answer) {
 }
 
 Expected<SimulateQuestion> QuestionOf(const SimulateCommand& command) {
-  SimulateQuestion question{.mode = ModeOf(command.mode), .order = command.order, .plan = {}, .plan_file = command.plan};
+  SimulateQuestion question{
+      .mode = ModeOf(command.mode), .order = command.order, .plan = {}, .plan_file = command.plan};
   if (command.plan.empty()) return question;
   std::ifstream file(command.plan);
   std::ostringstream text;
@@ -107,10 +108,10 @@ Run AddFleetSimulate(CLI::App& fleet) {
       sub->add_option("--mode", command->mode, "plan in this mode, and play the plan")
           ->check(CLI::IsMember({"straight-concurrent", "straight-sequential", "bent-concurrent", "bent-sequential"}))
           ->capture_default_str();
-  CLI::Option* order = sub->add_option("--order", command->order,
-                                       "instead: all robots straight, one after the other, in this order")
-                           ->type_name("ROBOT[,ROBOT...]")
-                           ->delimiter(',');
+  CLI::Option* order =
+      sub->add_option("--order", command->order, "instead: all robots straight, one after the other, in this order")
+          ->type_name("ROBOT[,ROBOT...]")
+          ->delimiter(',');
   sub->add_option("--plan", command->plan, "instead: play this result of `fleet plan --json`")
       ->type_name("FILE")
       ->check(FileName())

@@ -96,6 +96,7 @@ class Witness {
     // The direction is one that nothing else has.
     const Point beside = kBesideBase * size * Point{0.797, 0.604};
     for (std::size_t k = pins.first_robot; k < punctures.size(); ++k) punctures[k] = punctures[k] + beside;
+    names_.reserve(punctures.size());
     for (std::size_t k = 0; k < punctures.size(); ++k) names_.push_back("p" + std::to_string(k));
     const Rays rays(punctures, names_);
     for (std::size_t i = 0; i < pins.robots; ++i) {
@@ -281,7 +282,7 @@ class Player {
         schedule_(schedule),
         meetings_(std::move(meetings)),
         ahead_(schedule.size()),
-        passed_(schedule.size()),
+
         done_(schedule.size(), 0) {
     for (const Meeting& meeting : meetings_) ahead_[meeting.robot.index()].push_back(&meeting);
   }
@@ -324,8 +325,7 @@ class Player {
   const std::vector<RobotSchedule>& schedule_;
   std::vector<Meeting> meetings_;
   std::vector<std::vector<const Meeting*>> ahead_;  ///< By RobotId, in order.
-  std::vector<std::size_t> passed_;
-  std::vector<std::size_t> done_;  ///< By RobotId: how many of its meetings it has passed.
+  std::vector<std::size_t> done_;                   ///< By RobotId: how many of its meetings it has passed.
   std::size_t next_ = 0;
 };
 
@@ -402,10 +402,10 @@ tl::expected<Playback, PlaybackCollision> Play(const FleetGround& ground, const 
   playback.broken = FindBroken(schedule, passings, stage.closeness());
   if (auto collision = Performance(stage, player, options).Run(schedule, playback)) return tl::unexpected(*collision);
   for (std::size_t i = 0; i < ground.size(); ++i) {
-    playback.final_routes.push_back(stage.RouteOf(RobotId(i)));
+    playback.final_routes.emplace_back(stage.RouteOf(RobotId(i)));
     if (layout.empty()) continue;
     if (HeldBends(ground, playback.final_routes[i]) != HeldBends(ground, layout[i])) {
-      playback.differing.push_back(RobotId(i));
+      playback.differing.emplace_back(i);
     }
   }
   if (stage.witness()) playback.words_agree = stage.witness()->Compare(ground, layout);

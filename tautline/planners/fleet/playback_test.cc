@@ -37,7 +37,8 @@ Scene SceneOf(std::vector<FleetRobot> robots) {
 
 /// The cable lines of Fig. 1: each bends around the target of the next robot, in a circle.
 Scene Circle() {
-  return SceneOf({Robot("r1", {{-6.8, -1.9}, {-3.6, -5}, {6.1, -0.6}}), Robot("r2", {{5, -5}, {6.1, -0.6}, {-2.5, 5.6}}),
+  return SceneOf({Robot("r1", {{-6.8, -1.9}, {-3.6, -5}, {6.1, -0.6}}),
+                  Robot("r2", {{5, -5}, {6.1, -0.6}, {-2.5, 5.6}}),
                   Robot("r3", {{1.8, 6.9}, {-2.5, 5.6}, {-3.6, -5}})});
 }
 
@@ -98,10 +99,9 @@ std::string Text(const FleetGround& ground, const Route& route) {
   std::string text;
   for (const RouteStep& step : route) {
     const RobotId robot = ground.robot_at(step.node);
-    text += (text.empty() ? "" : " ") +
-            (robot.valid() ? (ground.kind(step.node) == FleetNodeKind::kStart ? "S" : "T") +
-                                 std::to_string(robot.index() + 1)
-                           : "c" + std::to_string(ground.corner_at(step.node).index()));
+    text += (text.empty() ? "" : " ") + (robot.valid() ? (ground.kind(step.node) == FleetNodeKind::kStart ? "S" : "T") +
+                                                             std::to_string(robot.index() + 1)
+                                                       : "c" + std::to_string(ground.corner_at(step.node).index()));
     if (step.side != Side::kNone) text += step.side == Side::kLeft ? "L" : "R";
   }
   return text;
@@ -115,8 +115,8 @@ std::string TextOf(const FleetGround& ground, const FleetLayout& layout) {
 
 // r1 drives along the bottom, r2 up through its path: whoever is second pushes or meets the other's cable.
 TEST(Playback, TwoRobotsAndBothOrders) {
-  const auto ground = FleetGround::Prepare(
-      SceneOf({Robot("r1", {{0, 0}, {5.5, 5}, {10, 1}}), Robot("r2", {{5, -5}, {5.5, 5}})}));
+  const auto ground =
+      FleetGround::Prepare(SceneOf({Robot("r1", {{0, 0}, {5.5, 5}, {10, 1}}), Robot("r2", {{5, -5}, {5.5, 5}})}));
   ASSERT_TRUE(ground.has_value());
   const auto layout = ReadLayout(*ground);
   ASSERT_TRUE(layout.has_value());
@@ -164,8 +164,7 @@ TEST(Playback, NoOrderOfOneAfterTheOtherMakesTheCircleAndAllAtOnceDo) {
 }
 
 TEST(Playback, BrokenOrdersAreTold) {
-  const auto ground = FleetGround::Prepare(
-      SceneOf({Robot("r1", {{0, 0}, {10, 0}}), Robot("r2", {{5, -5}, {5, 5}})}));
+  const auto ground = FleetGround::Prepare(SceneOf({Robot("r1", {{0, 0}, {10, 0}}), Robot("r2", {{5, -5}, {5, 5}})}));
   ASSERT_TRUE(ground.has_value());
   Passing passing;
   passing.first = RobotId(1);
@@ -207,6 +206,13 @@ TEST(Playback, OverABaseOrOverARobotThatHasArrivedIsNoWay) {
   const auto after = Play(*free, {}, InTurns(*free, {1, 0}), {});
   ASSERT_FALSE(after.has_value());
   EXPECT_EQ(after.error().at, (Point{7, 0}));
+}
+
+TEST(Playback, HeadOnOnOneLineIsNoWay) {
+  const auto ground = FleetGround::Prepare(SceneOf({Robot("r1", {{0, 0}, {9, 3}}), Robot("r2", {{12, 4}, {3, 1}})}));
+  ASSERT_TRUE(ground.has_value());
+  EXPECT_FALSE(Play(*ground, {}, InTurns(*ground, {0, 1}), {}).has_value());
+  EXPECT_FALSE(Play(*ground, {}, InTurns(*ground, {1, 0}), {}).has_value());
 }
 
 TEST(Playback, FramesAreSpreadOverTheMotion) {
@@ -270,6 +276,7 @@ TEST(Playback, LayoutsThatCameOutComeOutAgainAlongTheirLines) {
     }
     ASSERT_TRUE(again->matches()) << TextOf(*ground, layout);
     const auto frames = Play(*ground, layout, straight, {}, {.frames = 40});
+    ASSERT_TRUE(frames.has_value());
     for (const PlaybackFrame& frame : frames->frames) {
       for (std::size_t i = 0; i < ground->size(); ++i) {
         ASSERT_LE(Length(frame.cables[i]), first->longest[i].length + 1e-5);

@@ -1,7 +1,6 @@
 #include "tautline/planners/fleet/track_crossings.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "tautline/geometry/box_index.h"
@@ -10,19 +9,25 @@
 namespace tautline {
 namespace {
 
-/// The shares of the segments ab and cd at which they meet.
-std::optional<std::pair<double, double>> MeetingShares(Point a, Point b, Point c, Point d) {
+/// The shares of the segments ab and cd at which they meet: where they cross, or where an end of one lies on the other.
+std::vector<std::pair<double, double>> MeetingShares(Point a, Point b, Point c, Point d) {
   if (CrossProperly(a, b, c, d)) {
     const double at_c = Cross(b - a, c - a), at_d = Cross(b - a, d - a);
     const double at_a = Cross(d - c, a - c), at_b = Cross(d - c, b - c);
-    return std::pair{at_a / (at_a - at_b), at_c / (at_c - at_d)};
+    return {{at_a / (at_a - at_b), at_c / (at_c - at_d)}};
   }
   const auto share = [](Point from, Point to, Point p) { return Distance(from, p) / Distance(from, to); };
-  if (OnSegment(a, b, c)) return std::pair{share(a, b, c), 0.0};
-  if (OnSegment(a, b, d)) return std::pair{share(a, b, d), 1.0};
-  if (OnSegment(c, d, a)) return std::pair{0.0, share(c, d, a)};
-  if (OnSegment(c, d, b)) return std::pair{1.0, share(c, d, b)};
-  return std::nullopt;
+  std::vector<std::pair<double, double>> shares;
+  if (OnSegment(a, b, c)) shares.emplace_back(share(a, b, c), 0.0);
+  if (OnSegment(a, b, d)) shares.emplace_back(share(a, b, d), 1.0);
+  if (OnSegment(c, d, a)) shares.emplace_back(0.0, share(c, d, a));
+  if (OnSegment(c, d, b)) shares.emplace_back(1.0, share(c, d, b));
+  return shares;
+}
+
+double AlongAt(const Track& track, std::size_t segment, double share) {
+  const double from = track.along[segment], to = track.along[segment + 1];
+  return share == 1 ? to : from + share * (to - from);
 }
 
 }  // namespace
@@ -49,16 +54,12 @@ std::vector<TrackCrossing> FindTrackCrossings(const std::vector<Track>& tracks) 
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     for (const std::size_t other : near) {
-      const auto shares = MeetingShares(a, b, segments[other].first, segments[other].second);
-      if (!shares) continue;
       const auto [q, m] = owners[other];
-      const auto at_share = [&tracks](std::size_t robot, std::size_t segment, double share) {
-        const auto along = tracks[robot].along;
-        return share == 1 ? along[segment + 1] : along[segment] + share * (along[segment + 1] - along[segment]);
-      };
-      crossings.push_back({{RobotId(r), RobotId(q)},
-                           {at_share(r, k, shares->first), at_share(q, m, shares->second)},
-                           Lerp(a, b, shares->first)});
+      for (const auto& [first, second] : MeetingShares(a, b, segments[other].first, segments[other].second)) {
+        crossings.push_back({{RobotId(r), RobotId(q)},
+                             {AlongAt(tracks[r], k, first), AlongAt(tracks[q], m, second)},
+                             Lerp(a, b, first)});
+      }
     }
   }
   return crossings;
