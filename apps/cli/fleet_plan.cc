@@ -28,6 +28,7 @@ struct FleetPlanCommand {
   std::string mode = "straight-concurrent";
   bool speeds = false;
   double gap = -1;  ///< Negative: absent.
+  std::int64_t budget = FleetPlanQuestion().budget;
 };
 
 FleetMode ModeOf(const std::string& name) {
@@ -92,6 +93,10 @@ std::string ToText(const FleetPlanAnswer& answer) {
   std::string text =
       fmt::format("Plan for {}, {}: {} s, {} in all.\n", Counted(plan.schedule.size(), "robot", "robots"),
                   ToString(plan.mode), ShortNumber(plan.travel_time), Metres(plan.travel_distance));
+  if (answer.chosen) {
+    text += fmt::format("  the layout was chosen: {} of cable, {}\n", Metres(answer.chosen->length),
+                        answer.chosen->optimal ? "and none is better" : "there may be better ones");
+  }
   if (!plan.detours.empty()) text += "  along their cable lines: " + NamesOf(answer, plan.detours) + "\n";
   return text + DescribeOrders(answer) + DescribeWaits(answer) + DescribeModes(plan);
 }
@@ -125,6 +130,7 @@ Expected<int> RunFleetPlan(const FleetPlanCommand& command) {
   question.options.mode = ModeOf(command.mode);
   question.options.speeds = command.speeds;
   if (command.gap >= 0) question.options.gap = command.gap;
+  question.budget = command.budget;
   question.options.watch = progress.watcher();
   const auto answer = AnswerOrReport(*scene, question);
   progress.Clear();
@@ -134,9 +140,11 @@ Expected<int> RunFleetPlan(const FleetPlanCommand& command) {
       return DrawFleetPlan(*scene, answer->setup.ground, {.layout = answer->layout(), .plan = *answer->plan});
     }
     const auto& layout = answer->setup.layout;
-    return DrawLayout(
-        *scene, answer->setup.ground,
-        {.title = "No plan", .notes = {answer->explanation}, .layout = *layout ? &**layout : nullptr, .marks = {}});
+    return DrawLayout(*scene, answer->setup.ground,
+                      {.title = "No plan",
+                       .notes = {answer->explanation},
+                       .layout = layout && *layout ? &**layout : nullptr,
+                       .marks = {}});
   };
   const auto csv = [&] { return answer->plan ? FleetPlanCsv(*answer) : std::string(); };
   return Deliver(command.common,
@@ -147,7 +155,8 @@ Expected<int> RunFleetPlan(const FleetPlanCommand& command) {
 
 Run AddFleetPlan(CLI::App& fleet) {
   const auto command = std::make_shared<FleetPlanCommand>();
-  CLI::App* sub = fleet.add_subcommand("plan", "the motion of all robots to the layout of their cable lines");
+  CLI::App* sub = fleet.add_subcommand(
+      "plan", "the motion of all robots to the layout of their cable lines, or to the one that takes the least time");
   AddCommonOptions(*sub, command->common);
   sub->add_option("--mode", command->mode, "along the shortest paths or the cable lines, all at once or one by one")
       ->check(CLI::IsMember({"straight-concurrent", "straight-sequential", "bent-concurrent", "bent-sequential"}))
@@ -156,6 +165,9 @@ Run AddFleetPlan(CLI::App& fleet) {
   sub->add_option("--gap", command->gap,
                   "how far apart robots stay at a crossing, metres; without it, the sum of their radii")
       ->check(NonNegative());
+  sub->add_option("--budget", command->budget, "without cable lines, orders of passing after which the choice ends")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   sub->add_option("--csv", command->common.csv, "write the events to this file as a table")
       ->type_name("FILE")
       ->check(FileName());
