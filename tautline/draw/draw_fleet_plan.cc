@@ -39,18 +39,16 @@ std::string Sentences(const FleetGround& ground, const FleetPlan& plan) {
   return text.empty() ? text : text.substr(0, text.size() - 1);
 }
 
-/// "straight-concurrent: 14 s, 21 m" for each mode, or that it is not possible.
-std::string ModesText(const FleetGround& ground, const FleetPlan& plan) {
-  std::string text;
+/// "straight-concurrent: 14 s, 21 m" for each mode, and what it takes.
+LegendEntry ModesEntry(const FleetGround& ground, const FleetPlan& plan) {
+  LegendEntry entry{std::monostate{}, "What each mode takes"};
   for (std::size_t k = 0; k < plan.modes.size(); ++k) {
     const ModeSummary& mode = plan.modes[k];
-    text += (k == 0 ? "" : "; ") + ToString(static_cast<FleetMode>(k)) + ": ";
-    if (!mode.realizable) {
-      text += "only with a detour of " + NamesText(ground, mode.detours) + ", ";
-    }
-    text += TimeText(mode.travel_time) + ", " + LengthText(mode.travel_distance, FleetDecimals(ground));
+    entry.details.push_back(ToString(static_cast<FleetMode>(k)) + ": " + TimeText(mode.travel_time) + ", " +
+                            LengthText(mode.travel_distance, FleetDecimals(ground)));
+    if (!mode.realizable) entry.details.back() += ", with a detour of " + NamesText(ground, mode.detours);
   }
-  return text + ".";
+  return entry;
 }
 
 std::string PlanTitle(const FleetGround& ground, const FleetPlan& plan) {
@@ -72,6 +70,7 @@ void DrawPriority(MapDrawing& map, const FleetPlan& plan, const Passing& passing
   const Point from = before(passing.first, passing.first_along), to = before(passing.second, passing.second_along);
   const Point middle = Lerp(Lerp(from, to, 0.5), at, -0.45);
   if (Distance(from, to) < 3) return;
+  map.KeepFree(BoundingBox(Polyline{from, middle, to}));
   map.svg().Smooth(Polyline{from, middle, to}, {.stroke = kHaloColour, .width = 3.4});
   map.svg().Smooth(Polyline{from, middle, to}, {.stroke = kInkColour, .width = 1.3});
   const Point way = to - middle;
@@ -187,6 +186,7 @@ std::vector<LegendEntry> PlanLegend(const FleetPlan& plan, const FleetGround& gr
     legend.push_back({LineStyle{.colour = line.colour, .width = 2 * line.width}, "robot on its cable line"});
   }
   legend.push_back({GroundSwatch{.fill = kClearanceColour, .hatched = true}, "robot waits"});
+  legend.push_back(ModesEntry(ground, plan));
   return legend;
 }
 
@@ -196,10 +196,7 @@ std::string DrawFleetPlan(const Scene& scene, const FleetGround& ground, const F
   const FleetPlan& plan = picture.plan;
   const FreeSpace space = DrawnSpace(ground);
   const MapPanels panels{scene, space, FleetBox(ground)};
-  SheetContent sheet{.title = PlanTitle(ground, plan),
-                     .notes = {ModesText(ground, plan)},
-                     .rows = {},
-                     .legend = PlanLegend(plan, ground)};
+  SheetContent sheet{.title = PlanTitle(ground, plan), .rows = {}, .legend = PlanLegend(plan, ground)};
   if (std::string text = Sentences(ground, plan); !text.empty()) sheet.notes.push_back(std::move(text));
   sheet.notes.insert(sheet.notes.end(), picture.notes.begin(), picture.notes.end());
   AddMaps(panels, ground, picture, sheet.rows);
