@@ -6,6 +6,7 @@
 #include "tautline/geometry/predicates.h"
 #include "tautline/scene/check_fleet.h"
 #include "tautline/scene/check_tether.h"
+#include "tautline/scene/number_text.h"
 
 namespace tautline {
 
@@ -75,6 +76,18 @@ std::vector<FleetNodeId> FleetGround::NodesBetween(Point a, Point b) const {
   });
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
+}
+
+std::string NameOf(const FleetGround& ground, FleetNodeId id) {
+  switch (ground.kind(id)) {
+    case FleetNodeKind::kStart:
+      return "the start of " + ground.robot(ground.robot_at(id)).name;
+    case FleetNodeKind::kTarget:
+      return "the target of " + ground.robot(ground.robot_at(id)).name;
+    case FleetNodeKind::kCorner:
+      return "the corner " + ToText(ground.point(id));
+  }
+  return "";
 }
 
 }  // namespace tautline

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "tautline/base/error.h"
@@ -68,6 +69,12 @@ class FleetGround {
   /// expected for each.
   std::vector<FleetNodeId> NodesBetween(Point a, Point b) const;
 
+  /// Calls visit(node) for every node in a box, and for others near it; perhaps several times.
+  template <class Visit>
+  void ForEachNodeNear(const Box& box, Visit visit) const {
+    index_->ForEachNear(box, [&](std::size_t k) { visit(FleetNodeId(k)); });
+  }
+
  private:
   FleetGround() = default;
 
@@ -77,6 +84,9 @@ class FleetGround {
   std::unique_ptr<const BoxIndex> index_;
   double tolerance_ = 0;
 };
+
+/// "the start of r1", "the target of r1" or "the corner (3, 4)".
+std::string NameOf(const FleetGround& ground, FleetNodeId id);
 
 }  // namespace tautline
 
