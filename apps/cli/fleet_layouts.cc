@@ -24,17 +24,28 @@ struct LayoutsCommand {
   LayoutsQuestion question;
 };
 
-/// "r1 by r2's target, r3 straight": where each cable bends.
-std::string DescribeBends(const FleetGround& ground, const FoundLayout& layout) {
+void AddBend(const std::string& bend, std::string& text) { text += (text.empty() ? " around " : ", ") + bend; }
+
+/// " straight", or " around r2, 2 corners, r3": where a cable bends.
+std::string DescribeBends(const FleetGround& ground, const Route& route) {
+  const Route bends = BendsOf(ground, route);
+  if (bends.size() == 2) return " straight";
+  std::string text;
+  std::size_t corners = 0;
+  for (std::size_t k = 1; k < bends.size(); ++k) {
+    const RobotId at = ground.robot_at(bends[k].node);
+    if (!at.valid()) ++corners;
+    if (at.valid() && corners > 0) AddBend(Counted(corners, "corner", "corners"), text);
+    if (at.valid()) corners = 0;
+    if (at.valid() && k + 1 < bends.size()) AddBend(ground.robot(at).name, text);
+  }
+  return text;
+}
+
+std::string DescribeCables(const FleetGround& ground, const FoundLayout& layout) {
   std::string text;
   for (std::size_t i = 0; i < layout.routes.size(); ++i) {
-    const Route bends = BendsOf(ground, layout.routes[i]);
-    text += (i > 0 ? ", " : "") + ground.robots()[i].name;
-    if (bends.size() == 2) text += " straight";
-    for (std::size_t k = 1; k + 1 < bends.size(); ++k) {
-      const RobotId at = ground.robot_at(bends[k].node);
-      text += (k == 1 ? " around " : " and ") + (at.valid() ? ground.robot(at).name : ToText(ground.point(bends[k].node)));
-    }
+    text += (i > 0 ? "; " : "") + ground.robots()[i].name + DescribeBends(ground, layout.routes[i]);
   }
   return text;
 }
@@ -52,7 +63,7 @@ std::string ToText(const LayoutsAnswer& answer) {
   text += ":\n";
   for (std::size_t i = 0; i < std::min(result.layouts.size(), kMostListed); ++i) {
     const FoundLayout& layout = result.layouts[i];
-    text += fmt::format("  {:3}  {:>12}  {}\n", i + 1, Metres(layout.total), DescribeBends(answer.setup.ground, layout));
+    text += fmt::format("  {:3}  {:>12}  {}\n", i + 1, Metres(layout.total), DescribeCables(answer.setup.ground, layout));
   }
   if (result.layouts.size() > kMostListed) text += fmt::format("  ... and {} more\n", result.layouts.size() - kMostListed);
   return text + DescribeVerification(answer.verified_curves);

@@ -115,6 +115,8 @@ class PairCheck {
   std::optional<BoxIndex> index_;
 };
 
+std::string ShortText(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
+
 std::string BothCables(const FleetGround& ground, const LayoutCrossing& fault) {
   return "the cable lines of " + ground.robot(fault.a).name + " and " + ground.robot(fault.b).name;
 }
@@ -170,7 +172,7 @@ std::vector<EnclosedStart> EnclosedStarts(const FleetGround& ground, RobotId rob
 std::string Explain(const FleetGround& ground, const LayoutCrossing& fault) {
   const std::string cables = BothCables(ground, fault);
   const RouteCrossing& crossing = fault.crossing;
-  if (crossing.kind == CrossingKind::kInterior) return cables + " cross at " + ToText(crossing.at);
+  if (crossing.kind == CrossingKind::kInterior) return cables + " cross at " + ShortText(crossing.at);
   const std::string first = NameOf(ground, crossing.shared.front());
   switch (crossing.kind) {
     case CrossingKind::kEndOutsideBend:
@@ -188,7 +190,7 @@ std::string Explain(const FleetGround& ground, const LayoutCrossing& fault) {
 
 std::string Explain(const FleetGround& ground, const SelfLoop& fault) {
   return "the cable line of " + ground.robot(fault.robot).name +
-         (fault.node_twice ? " passes " + ToText(fault.at) + " twice" : " crosses itself at " + ToText(fault.at));
+         (fault.node_twice ? " passes " + ShortText(fault.at) + " twice" : " crosses itself at " + ShortText(fault.at));
 }
 
 std::string Explain(const FleetGround& ground, const EnclosedStart& fault) {
@@ -198,8 +200,8 @@ std::string Explain(const FleetGround& ground, const EnclosedStart& fault) {
 }
 
 std::string Explain(const FleetGround& ground, const ShortTether& fault) {
-  return "the cable of " + ground.robot(fault.robot).name + " is " + FormatNumber(fault.limit) +
-         " m long and its cable line " + FormatNumber(fault.length) + " m";
+  return "the cable of " + ground.robot(fault.robot).name + " is " + Metres(fault.limit) +
+         " long and its cable line " + Metres(fault.length);
 }
 
 }  // namespace tautline

@@ -33,6 +33,13 @@ Expected<FleetGround> FleetGround::Prepare(const Scene& scene, const Watcher& wa
   std::vector<BoxIndex::Segment> segments;
   for (const Point p : ground.points_) segments.emplace_back(p, p);
   ground.index_ = std::make_unique<const BoxIndex>(segments);
+  for (std::size_t k = 2 * ground.size(); k < ground.node_count(); ++k) {
+    const FleetNodeId node = *ground.NodeAt(ground.points_[k]);
+    if (ground.kind(node) == FleetNodeKind::kCorner) continue;
+    return InvalidInput(NameOf(ground, node) + " is on the corner of an obstacle, at " + ToText(ground.points_[k]) +
+                            ": move it off, since a cable must be able to pass either",
+                        scene.path);
+  }
   return ground;
 }
 
@@ -85,7 +92,7 @@ std::string NameOf(const FleetGround& ground, FleetNodeId id) {
     case FleetNodeKind::kTarget:
       return "the target of " + ground.robot(ground.robot_at(id)).name;
     case FleetNodeKind::kCorner:
-      return "the corner " + ToText(ground.point(id));
+      return "the corner (" + ShortNumber(ground.point(id).x) + ", " + ShortNumber(ground.point(id).y) + ")";
   }
   return "";
 }
