@@ -1,41 +1,74 @@
 #include "apps/pictures/fleet_pictures.h"
 
-#include "tautline/draw/figure.h"
-#include "tautline/draw/line_style.h"
+#include <algorithm>
+
+#include "tautline/draw/draw_fleet.h"
+#include "tautline/draw/workspace_layers.h"
 
 namespace tautline {
 namespace {
 
-std::string DrawCables(const Scene& scene, const FleetSetup& setup, const FleetLayout& layout,
-                       const FigureContent& content) {
-  const FreeSpace plane;
-  const FreeSpace& space = setup.ground.space() != nullptr ? setup.ground.space()->free_space() : plane;
-  FigureContent shown = content;
-  for (const FleetRobot& robot : setup.ground.robots()) shown.shown.insert(shown.shown.end(), {robot.start, robot.target});
-  Figure figure(scene, space, shown);
-  for (const Route& route : layout) figure.Line("cable", PointsOf(setup.ground, route), {});
-  for (const FleetRobot& robot : setup.ground.robots()) {
-    figure.Mark(Marker::kBase, robot.start, "S " + robot.name);
-    figure.Mark(Marker::kGoal, robot.target, "T " + robot.name);
+constexpr std::size_t kMostNotes = 5;  // Explanations above the map; the JSON has all.
+
+/// The first explanations as notes.
+std::vector<std::string> NotesOf(const std::vector<std::string>& explanations) {
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < std::min(explanations.size(), kMostNotes); ++i)
+    notes.push_back(Sentence(explanations[i]));
+  if (explanations.size() > kMostNotes) {
+    notes.push_back("And " + std::to_string(explanations.size() - kMostNotes) + " more.");
   }
-  return figure.Finish();
+  return notes;
+}
+
+/// What is wrong with the layout, where it is.
+std::vector<LayoutMark> MarksOf(const CheckAnswer& answer) {
+  const FleetSetup& setup = answer.setup;
+  if (!*setup.layout) return {{setup.layout->error().at, setup.name(setup.layout->error().robot)}};
+  std::vector<LayoutMark> marks;
+  for (const LayoutCrossing& fault : answer.faults.crossings) {
+    marks.push_back({fault.crossing.at, setup.name(fault.a) + " and " + setup.name(fault.b) + " cross"});
+  }
+  for (const SelfLoop& fault : answer.faults.self_loops)
+    marks.push_back({fault.at, setup.name(fault.robot) + " loops"});
+  for (const EnclosedStart& fault : answer.faults.starts_enclosed) {
+    marks.push_back({setup.ground.robot(fault.robot).start, setup.name(fault.by) + " encloses this start"});
+  }
+  for (const ShortTether& fault : answer.faults.short_tethers) {
+    marks.push_back({setup.ground.robot(fault.robot).target, "too far for " + setup.name(fault.robot)});
+  }
+  return marks;
 }
 
 }  // namespace
 
 std::string DrawAnswer(const Scene& scene, const CheckAnswer& answer) {
   const auto& layout = *answer.setup.layout;
-  FigureContent content{.title = answer.status == kExitSolved ? "The layout is free of crossings"
-                                                              : "The layout cannot be made",
-                        .notes = answer.explanations};
-  if (content.notes.size() > 5) content.notes.resize(5);
-  return DrawCables(scene, answer.setup, layout ? *layout : FleetLayout{}, content);
+  const bool solved = answer.status == kExitSolved;
+  return DrawLayout(scene, answer.setup.ground,
+                    {.title = solved ? "The layout is free of crossings" : "The layout cannot be made",
+                     .notes = NotesOf(answer.explanations),
+                     .layout = layout ? &*layout : nullptr,
+                     .marks = MarksOf(answer)});
 }
 
 std::string DrawAnswer(const Scene& scene, const LayoutsAnswer& answer) {
-  const auto& layouts = answer.result.layouts;
-  return DrawCables(scene, answer.setup, layouts.empty() ? FleetLayout{} : layouts.front().routes,
-                    {.title = layouts.empty() ? "No layout" : "The shortest layout"});
+  const FleetGround& ground = answer.setup.ground;
+  const std::size_t count = answer.result.layouts.size();
+  if (count == 0) {
+    const FleetLayout none;
+    return DrawLayout(scene, ground,
+                      {.title = "No layout", .notes = NotesOf({answer.explanation}), .layout = &none, .marks = {}});
+  }
+  LayoutsPicture picture{.title = std::to_string(count) + (count == 1 ? " layout" : " layouts, the shortest first"),
+                         .notes = {},
+                         .layouts = {}};
+  if (answer.result.complete) picture.title += "; there are no more up to the limits";
+  for (const FoundLayout& found : answer.result.layouts) picture.layouts.push_back(&found.routes);
+  if (count > kMostLayoutsDrawn) {
+    picture.notes = {"The first " + std::to_string(kMostLayoutsDrawn) + " are drawn."};
+  }
+  return DrawLayouts(scene, ground, picture);
 }
 
 }  // namespace tautline

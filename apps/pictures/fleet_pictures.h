@@ -12,7 +12,7 @@ namespace tautline {
 /// The layout, with what is wrong with it. As SVG, as all of these.
 std::string DrawAnswer(const Scene& scene, const CheckAnswer& answer);
 
-/// The shortest layout.
+/// The shortest layouts side by side.
 std::string DrawAnswer(const Scene& scene, const LayoutsAnswer& answer);
 
 }  // namespace tautline

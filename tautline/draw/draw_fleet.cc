@@ -26,6 +26,7 @@ void DrawGivenCables(Figure& figure, const FleetGround& ground) {
 std::vector<LegendEntry> LayoutLegend(const FleetGround& ground, const LayoutPicture& picture) {
   std::vector<LegendEntry> legend = MarksLegend();
   if (!picture.marks.empty()) legend.push_back({Marker::kRing, "what is wrong"});
+  if (picture.layout != nullptr && picture.layout->empty()) return legend;
   if (ground.size() > kMostListed) {
     legend.push_back({RobotLine(RobotId(0), ground.size()), "target cable line"});
     return legend;
@@ -73,7 +74,7 @@ std::string DrawLayouts(const Scene& scene, const FleetGround& ground, const Lay
   SheetContent sheet{.title = picture.title, .notes = picture.notes, .rows = {}, .legend = MarksLegend()};
   for (std::size_t k = 0; k < std::min(picture.layouts.size(), kMostLayoutsDrawn); ++k) {
     if (k % columns == 0) sheet.rows.push_back({.panels = {}, .height = height, .shares = shares});
-    const FleetLayout& layout = picture.layouts[k];
+    const FleetLayout& layout = *picture.layouts[k];
     double length = 0;
     for (const Route& route : layout) length += LengthOf(ground, route);
     const auto draw = [&](SvgWriter& svg, const Box& frame) {

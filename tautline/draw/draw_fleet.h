@@ -20,7 +20,7 @@ struct LayoutMark {
 struct LayoutPicture {
   std::string title;               ///< The answer in words.
   std::vector<std::string> notes;  ///< Sentences below it.
-  /// The cable lines; absent where they are faulty: then they are drawn as the scene has them.
+  /// The cable lines; absent where they are faulty: then they are drawn as the scene has them. Empty: none are drawn.
   const FleetLayout* layout = nullptr;
   std::vector<LayoutMark> marks;  ///< Ringed; of many only the first have their text on the map.
 };
@@ -33,7 +33,7 @@ std::string DrawLayout(const Scene& scene, const FleetGround& ground, const Layo
 struct LayoutsPicture {
   std::string title;                        ///< The answer in words.
   std::vector<std::string> notes;           ///< Sentences below it.
-  const std::vector<FleetLayout>& layouts;  ///< The first kMostLayoutsDrawn are drawn.
+  std::vector<const FleetLayout*> layouts;  ///< The first kMostLayoutsDrawn are drawn.
 };
 
 inline constexpr std::size_t kMostLayoutsDrawn = 12;  ///< Small maps on one page.

@@ -73,7 +73,7 @@ TEST(DrawLayout, OfAWorldHasItsObstacles) {
 
 TEST(DrawLayouts, AreAtMostTwelve) {
   const Example e = Prepare(TriangleScene());
-  const std::vector<FleetLayout> layouts(15, e.layout);
+  const std::vector<const FleetLayout*> layouts(15, &e.layout);
   const std::string svg = DrawLayouts(e.scene, e.ground, {.title = "15 layouts", .notes = {}, .layouts = layouts});
   EXPECT_EQ(XmlCheck(svg).error(), "");
   EXPECT_EQ(CountOf(svg, "class=\"panel\""), 12u);

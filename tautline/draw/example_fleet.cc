@@ -142,7 +142,7 @@ std::vector<NamedPicture> FleetPictures() {
   const FleetPlan plan = HandMadePlan(ground, {{1, 0}, {0, 2}, {2, 1}});
   const LayoutPicture marked{.title = "Three cable lines", .notes = {}, .layout = &layout, .marks = {{{1, 1}, "here"}}};
   pictures.push_back({"fleet_layout", DrawLayout(scene, ground, marked)});
-  const std::vector<FleetLayout> layouts(7, layout);
+  const std::vector<const FleetLayout*> layouts(7, &layout);
   pictures.push_back(
       {"fleet_layouts", DrawLayouts(scene, ground, {.title = "Seven layouts", .notes = {}, .layouts = layouts})});
   pictures.push_back({"fleet_plan", DrawFleetPlan(scene, ground, {.layout = layout, .plan = plan})});
