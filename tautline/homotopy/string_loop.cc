@@ -1,6 +1,9 @@
 #include "tautline/homotopy/string_loop.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <vector>
 
 namespace tautline {
 namespace {
@@ -46,6 +49,26 @@ Polyline LoopAround(std::span<const Point> line, std::span<const Side> sides, do
   for (std::size_t i = way.size() - 1; i-- > 1;) loop.push_back(way[i]);
   loop.push_back(loop.front());
   return loop;
+}
+
+Word RingWord(const Word& word) {
+  const auto letters = word.letters();
+  std::size_t first = 0, last = letters.size();
+  const auto cancel = [](Letter a, Letter b) { return a.obstacle == b.obstacle && a.inverse != b.inverse; };
+  while (last - first > 1 && cancel(letters[first], letters[last - 1])) {
+    ++first;
+    --last;
+  }
+  std::vector<Letter> ring(letters.begin() + static_cast<std::ptrdiff_t>(first),
+                           letters.begin() + static_cast<std::ptrdiff_t>(last));
+  std::vector<Letter> least = ring;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+    least = std::min(least, ring);
+  }
+  Word turned;
+  for (const Letter letter : least) turned.Append(letter);
+  return turned;
 }
 
 }  // namespace tautline

@@ -6,6 +6,7 @@
 
 #include "tautline/geometry/polygon.h"
 #include "tautline/homotopy/corners.h"
+#include "tautline/homotopy/word.h"
 
 namespace tautline {
 
@@ -18,6 +19,10 @@ Polyline LedAside(std::span<const Point> line, std::span<const Side> sides, doub
 /// since it ends at neither (MovingPunctures). Requires two points or more, and a gap that is far below the distance
 /// of any other point from the line.
 Polyline LoopAround(std::span<const Point> line, std::span<const Side> sides, double gap);
+
+/// The word of a closed curve from wherever it starts: of all turns of the cyclically reduced word, the least. Equal
+/// for words that are conjugates of each other, and only for these. O(letters^2).
+Word RingWord(const Word& word);
 
 }  // namespace tautline
 

@@ -244,7 +244,12 @@ Point TautStrings::point(PinId pin) const { return tangle_->point(pin); }
 
 std::span<const StringBend> TautStrings::bends(StringId string) const { return tangle_->bends(string); }
 
-double TautStrings::length(StringId string) const { return Length(points(string)); }
+double TautStrings::length(StringId string) const {
+  double length = 0;
+  const StringLine& line = tangle_->line(string);
+  for (std::size_t i = 1; i < line.size(); ++i) length += Distance(line[i - 1].at, line[i].at);
+  return length;
+}
 
 Polyline TautStrings::points(StringId string) const {
   Polyline points;

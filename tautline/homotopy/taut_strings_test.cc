@@ -166,22 +166,6 @@ TEST(TautStrings, ThroughAPinIsNoWay) {
   EXPECT_EQ(yard.strings->pin_count(), 5u);
 }
 
-/// The letters of a closed curve's word, from wherever it starts: the least of all turns of the reduced word.
-std::vector<Letter> Cyclic(const Word& word) {
-  std::vector<Letter> letters(word.letters().begin(), word.letters().end());
-  while (letters.size() > 1 && letters.front().obstacle == letters.back().obstacle &&
-         letters.front().inverse != letters.back().inverse) {
-    letters.pop_back();
-    letters.erase(letters.begin());
-  }
-  std::vector<Letter> least = letters;
-  for (std::size_t i = 1; i < letters.size(); ++i) {
-    std::rotate(letters.begin(), letters.begin() + 1, letters.end());
-    least = std::min(least, letters);
-  }
-  return least;
-}
-
 /// A yard of random robots and pins, on a lattice or off it, and the words that their moves carry along.
 class RandomYard {
  public:
@@ -305,7 +289,8 @@ TEST(TautStrings, WordsAgreeWithThoseThatArePushed) {
         std::vector<Side> sides;
         for (const StringBend& bend : bends) sides.push_back(bend.side);
         const Word now = rays.WordOf(LoopAround(yard.strings->points(StringId(i)), sides, kGap));
-        ASSERT_EQ(Cyclic(now), Cyclic(*carried)) << "robot " << i << ": " << yard.Bends(i);
+        ASSERT_EQ(ToString(RingWord(now), names), ToString(RingWord(*carried), names))
+            << "robot " << i << ": " << yard.Bends(i);
         ++compared;
         bent += bends.size() > 2 ? 1 : 0;
         touches += yard.Bends(i).size() > 0 && bends.size() > 4 ? 1 : 0;

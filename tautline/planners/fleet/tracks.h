@@ -2,6 +2,7 @@
 #ifndef TAUTLINE_PLANNERS_FLEET_TRACKS_H_
 #define TAUTLINE_PLANNERS_FLEET_TRACKS_H_
 
+#include <optional>
 #include <vector>
 
 #include "tautline/planners/fleet/layout.h"
