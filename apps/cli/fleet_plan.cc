@@ -11,7 +11,7 @@
 #include "apps/cli/fleet_commands.h"
 #include "apps/cli/option_checks.h"
 #include "apps/cli/progress_bar.h"
-#include "tautline/draw/draw_fleet.h"
+#include "apps/pictures/fleet_pictures.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
@@ -105,18 +105,15 @@ Expected<int> RunFleetPlan(const FleetPlanCommand& command) {
   const auto answer = AnswerFleetPlan(*scene, question);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    if (answer->plan) {
-      return DrawFleetPlan(*scene, answer->setup.ground, {.layout = answer->layout(), .plan = *answer->plan});
-    }
-    const auto& layout = answer->setup.layout;
-    return DrawLayout(
-        *scene, answer->setup.ground,
-        {.title = "No plan", .notes = {answer->explanation}, .layout = *layout ? &**layout : nullptr, .marks = {}});
-  };
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
+  const auto animate = [&] { return AnimateAnswer(*scene, *answer); };
   const auto csv = [&] { return answer->plan ? FleetPlanCsv(*answer) : std::string(); };
-  return Deliver(command.common,
-                 {.json = answer->json, .text = ToText(*answer), .draw = draw, .csv = csv, .status = answer->status});
+  return Deliver(command.common, {.json = answer->json,
+                                  .text = ToText(*answer),
+                                  .draw = draw,
+                                  .csv = csv,
+                                  .animate = animate,
+                                  .status = answer->status});
 }
 
 }  // namespace
@@ -133,6 +130,9 @@ Run AddFleetPlan(CLI::App& fleet) {
                   "how far apart robots stay at a crossing, metres; without it, the sum of their radii")
       ->check(NonNegative());
   sub->add_option("--csv", command->common.csv, "write the events to this file as a table")
+      ->type_name("FILE")
+      ->check(FileName());
+  sub->add_option("--animate", command->common.animate, "draw the motion to this SVG file, which moves in browsers")
       ->type_name("FILE")
       ->check(FileName());
   sub->footer(

@@ -71,4 +71,23 @@ std::string DrawAnswer(const Scene& scene, const LayoutsAnswer& answer) {
   return DrawLayouts(scene, ground, picture);
 }
 
+std::string DrawAnswer(const Scene& scene, const FleetPlanAnswer& answer) {
+  const FleetGround& ground = answer.setup.ground;
+  if (answer.plan) return DrawFleetPlan(scene, ground, {.layout = answer.layout(), .plan = *answer.plan});
+  const auto& layout = *answer.setup.layout;
+  return DrawLayout(
+      scene, ground,
+      {.title = "No plan", .notes = NotesOf({answer.explanation}), .layout = layout ? &*layout : nullptr, .marks = {}});
+}
+
+std::string AnimateAnswer(const Scene& scene, const FleetPlanAnswer& answer, const Watcher& watch) {
+  if (!answer.plan) return DrawAnswer(scene, answer);
+  const FleetGround& ground = answer.setup.ground;
+  const FleetPlan& plan = *answer.plan;
+  const auto playback = Play(ground, answer.layout(), plan.schedule, DrivenPassings(plan),
+                             {.frames = FilmFrames(ground.size()), .words_up_to = 0, .watch = watch});
+  if (!playback) return DrawAnswer(scene, answer);
+  return AnimateFleet(scene, ground, {.layout = answer.layout(), .plan = plan, .frames = playback->frames});
+}
+
 }  // namespace tautline

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/answers/check_answer.h"
+#include "apps/answers/fleet_plan_answer.h"
 #include "apps/answers/layouts_answer.h"
 
 namespace tautline {
@@ -14,6 +15,12 @@ std::string DrawAnswer(const Scene& scene, const CheckAnswer& answer);
 
 /// The shortest layouts side by side.
 std::string DrawAnswer(const Scene& scene, const LayoutsAnswer& answer);
+
+/// The plan; or the layout, where there is none.
+std::string DrawAnswer(const Scene& scene, const FleetPlanAnswer& answer);
+
+/// The plan as a film; where there is none, a picture that stands still. Throws Stopped when `watch` says stop.
+std::string AnimateAnswer(const Scene& scene, const FleetPlanAnswer& answer, const Watcher& watch = {});
 
 }  // namespace tautline
 

@@ -64,6 +64,9 @@ struct SimulatePicture {
 /// that were passed in the wrong order. Deterministic.
 std::string DrawSimulate(const Scene& scene, const FleetGround& ground, const SimulatePicture& picture);
 
+/// How many moments make a film of so many robots: fewer of more robots, so that files stay small.
+int FilmFrames(std::size_t robots);
+
 /// What a film of a plan shows.
 struct FleetFilm {
   const FleetLayout& layout;                 ///< Drawn pale; may be empty.

@@ -84,11 +84,7 @@ void DrawPaths(MapDrawing& map, const FleetGround& ground, const FleetPlan& plan
     style.arrows = ground.size() <= kMostInGraphs;
     map.Line(OnDetour(plan, i) ? "detour" : "path", plan.schedule[i].path.points, style);
   }
-  std::vector<Passing> passings;
-  for (const Passing& p : plan.passings) {
-    if (!OnDetour(plan, p.first.index()) && !OnDetour(plan, p.second.index())) passings.push_back(p);
-  }
-  passings.insert(passings.end(), plan.detour_passings.begin(), plan.detour_passings.end());
+  const std::vector<Passing> passings = DrivenPassings(plan);
   const bool named = passings.size() <= kMostNamedCrossings;
   if (passings.size() > kMostDottedCrossings) return;
   map.svg().OpenGroup("crossings");

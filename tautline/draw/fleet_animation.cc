@@ -142,6 +142,8 @@ std::vector<Polyline> AlignedKeyframes(std::span<const Polyline> lines) {
   return aligned;
 }
 
+int FilmFrames(std::size_t robots) { return robots <= 30 ? 160 : robots <= 300 ? 60 : 25; }
+
 std::string AnimateFleet(const Scene& scene, const FleetGround& ground, const FleetFilm& film) {
   TAUTLINE_CHECK(!film.frames.empty());
   const FreeSpace space = DrawnSpace(ground);

@@ -118,6 +118,10 @@ struct FleetPlan {
   std::array<ModeSummary, 4> modes;                     ///< By FleetMode.
 };
 
+/// The orders that hold for the paths as driven: those of the straight paths between robots that are on no detour, and
+/// those of detours. O(passings).
+std::vector<Passing> DrivenPassings(const FleetPlan& plan);
+
 /// Where a robot is at a time, as its schedule says. O(log n) for n events.
 Point PositionAt(const RobotSchedule& schedule, double t_s);
 
