@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostExplained = 12;  // Rings with their text on the map.
 constexpr std::size_t kMostListed = 12;     // Robots with their own line in the legend.
-constexpr double kPadding = 12;             // Room for symbols on the rim of a small map.
+constexpr double kPadding = 16;             // Room for symbols on the rim of a small map.
 constexpr double kTargetLineWidth = 6;
 
 /// The cable lines as the scene has them.
@@ -130,8 +130,8 @@ std::vector<LegendEntry> SimulateLegend(const FleetGround& ground, const Simulat
 }
 
 void DrawWanted(Figure& figure, const FleetGround& ground, const FleetLayout& layout) {
-  for (const Route& route : layout) {
-    figure.Line("wanted", PointsOf(ground, route), {.colour = "#d9dce0", .width = kTargetLineWidth});
+  for (const Polyline& track : CableTracks(figure.view(), ground, layout)) {
+    figure.PixelLine("wanted", track, {.colour = "#d9dce0", .width = kTargetLineWidth});
   }
 }
 

@@ -14,7 +14,7 @@
 namespace tautline {
 namespace {
 
-constexpr double kPadding = 14;  // Room for symbols on the rim of a map.
+constexpr double kPadding = 24;  // Room for symbols on the rim of a map.
 constexpr double kTallestMap = 480;
 constexpr double kLowestMap = 150;
 constexpr std::size_t kMostNamedCrossings = 40;      // With more, crossings are dots.
@@ -55,7 +55,9 @@ std::string PlanTitle(const FleetGround& ground, const FleetPlan& plan) {
   const std::string robots = ground.size() == 1 ? "One robot" : std::to_string(ground.size()) + " robots";
   std::string title = robots + ", " + ToString(plan.mode) + ": " + TimeText(plan.travel_time) + ", " +
                       LengthText(plan.travel_distance, FleetDecimals(ground)) + " driven";
-  if (!plan.detours.empty()) title += "; " + NamesText(ground, plan.detours) + " must follow the cable line";
+  if (!plan.detours.empty())
+    title += "; " + NamesText(ground, plan.detours) + " must follow " +
+             (plan.detours.size() == 1 ? "its cable line" : "their cable lines");
   return title;
 }
 
@@ -125,6 +127,7 @@ struct MapPanels {
 void AddMaps(const MapPanels& panels, const FleetGround& ground, const FleetPlanPicture& picture,
              std::vector<SheetRow>& rows) {
   const FleetPlan& plan = picture.plan;
+  const std::size_t crossings = DrivenPassings(plan).size();
   double lines = 0;
   for (const Route& route : picture.layout) lines += LengthOf(ground, route);
   const int decimals = FleetDecimals(ground);
@@ -134,14 +137,13 @@ void AddMaps(const MapPanels& panels, const FleetGround& ground, const FleetPlan
                       DrawCableLines(map, ground, picture.layout);
                       MarkFleet(map, ground);
                     })};
-  SheetPanel paths{
-      .title = "Paths and who passes first",
-      .notes = {"together " + LengthText(plan.travel_distance, decimals) + ", " + std::to_string(plan.passings.size()) +
-                (plan.passings.size() == 1 ? " crossing" : " crossings")},
-      .draw = panels.Panel([&](MapDrawing& map) {
-        DrawPaths(map, ground, plan);
-        MarkFleet(map, ground);
-      })};
+  SheetPanel paths{.title = "Paths and who passes first",
+                   .notes = {"together " + LengthText(plan.travel_distance, decimals) + ", " +
+                             std::to_string(crossings) + (crossings == 1 ? " crossing" : " crossings")},
+                   .draw = panels.Panel([&](MapDrawing& map) {
+                     DrawPaths(map, ground, plan);
+                     MarkFleet(map, ground);
+                   })};
   const bool wide = panels.box.size().x > 2.2 * panels.box.size().y;
   const double width = wide ? SheetFrameWidth(1, 1, 1) : SheetFrameWidth(1, 2, 2);
   rows.push_back({.panels = {std::move(layout)}, .height = panels.Height(width)});

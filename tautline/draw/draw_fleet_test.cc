@@ -105,7 +105,7 @@ TEST(DrawFleetPlan, TellsOfDeadlocksAndDetours) {
   EXPECT_EQ(XmlCheck(svg).error(), "");
   EXPECT_THAT(XmlCheck(svg).classes(), Contains("detour"));
   EXPECT_THAT(svg, AllOf(HasSubstr("Pair deadlock of r2 and r3"), HasSubstr("r1 and r2 would wait for each other"),
-                         HasSubstr("r3 must follow the cable line"), HasSubstr("with a detour of r3")));
+                         HasSubstr("r3 must follow its cable line"), HasSubstr("with a detour of r3")));
 }
 
 TEST(DrawFleetPlan, OfARobotAlone) {

@@ -14,7 +14,7 @@
 namespace tautline {
 namespace {
 
-constexpr double kPadding = 16;
+constexpr double kPadding = 26;
 constexpr double kTallestMap = 620;
 constexpr double kLowestMap = 160;
 constexpr double kShortestFilm = 6;  // Seconds of the viewer's time.
@@ -77,8 +77,8 @@ Track TrackOf(const View& view, const std::vector<PlaybackFrame>& frames, std::s
 
 void DrawStill(MapDrawing& map, const FleetGround& ground, const FleetFilm& film) {
   if (ground.size() > kMostInGraphs) return;
-  for (const Polyline& line : CableTracks(map.view(), ground, film.layout)) {
-    map.PixelLine("wanted", line, {.colour = "#d9dce0", .width = 4});
+  for (const Route& route : film.layout) {
+    map.Line("wanted", PointsOf(ground, route), {.colour = "#d9dce0", .width = 4});
   }
   for (const RobotSchedule& schedule : film.plan.schedule) {
     map.Line("path", schedule.path.points, {.colour = "#9a9a9a", .width = 0.8, .dashes = "2 4"});
