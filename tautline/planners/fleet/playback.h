@@ -16,7 +16,7 @@ struct PlaybackOptions {
   int frames = 0;
   /// Carries ray words along as a second witness (homotopy/moving.h), for fleets up to this size.
   std::size_t words_up_to = 60;
-  Watcher watch;  ///< Told how far the playback has come.
+  Watcher watch = {};  ///< Told how far the playback has come.
 };
 
 /// Robots and cables at a moment.

@@ -14,7 +14,7 @@ namespace {
 
 /// Of the size of the fleet's ground: far above rounding, far below what anything is apart.
 constexpr double kTinySpacing = 1e-7;
-/// How much farther than its rank says a track keeps off the tip of a sharp turn, at most.
+/// How many spacings farther off a track keeps from the tip of a sharp turn, at most.
 constexpr double kLongestMitre = 3;
 
 Point LeftOf(Point p) { return {-p.y, p.x}; }
@@ -33,19 +33,17 @@ class Weaver {
 
   std::vector<Polyline> Weave(const TrackOptions& options) {
     FindEnds();
-    for (Route& route : routes_) {
-      for (std::size_t i = 1; i + 1 < route.size(); ++i) {
-        if (route[i].side == Side::kNone) route[i].side = SideBeside(route, i);
-      }
+    for (std::size_t r = 0; r < routes_.size(); ++r) {
+      for (std::size_t i = 1; i + 1 < routes_[r].size(); ++i) passages_[routes_[r][i].node].push_back({r, i, 1});
     }
-    FindRanks();
+    TakeSides();
+    FindReaches();
     const double spacing = options.spacing ? *options.spacing : TinySpacing();
     std::vector<Polyline> tracks;
     for (std::size_t r = 0; r < routes_.size(); ++r) {
       Polyline& track = tracks.emplace_back(PointsOf(ground_, routes_[r]));
-      const Polyline points = track;
-      for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-        track[i] = points[i] + (spacing * ranks_[r][i]) * Outwards(points, i, routes_[r][i].side);
+      for (std::size_t i = 1; i + 1 < track.size(); ++i) {
+        track[i] = track[i] + (spacing * reaches_[r][i]) * BendOf({r, i, 1}).out;
       }
     }
     return tracks;
@@ -62,19 +60,62 @@ class Weaver {
     }
   }
 
-  /// Where a route passes straight over another one's end: the side from which that one comes, so that it is not
-  /// crossed.
-  Side SideBeside(const Route& route, std::size_t i) const {
-    const auto end = ends_.find(route[i].node);
-    if (end == ends_.end()) return Side::kLeft;
-    const Point before = At(route[i - 1]), after = At(route[i + 1]);
+  /// Routes that pass straight over a node may be on either side of it: on that from which they do not cross the route
+  /// that ends there. Where that depends on other such nodes, the ones that are clear come first.
+  void TakeSides() {
+    std::vector<Strand> open;
+    for (std::size_t r = 0; r < routes_.size(); ++r) {
+      for (std::size_t i = 1; i + 1 < routes_[r].size(); ++i) {
+        if (routes_[r][i].side == Side::kNone) open.push_back({r, i, 1});
+      }
+    }
+    while (!open.empty()) {
+      std::vector<Strand> unclear;
+      for (const Strand& s : open) {
+        Side& side = routes_[s.route][s.step].side;
+        side = SideBeside(s);
+        if (side == Side::kNone) unclear.push_back(s);
+      }
+      if (unclear.size() == open.size()) {
+        const auto held = std::find_if(unclear.begin(), unclear.end(),
+                                       [this](const Strand& s) { return SideOfBends(s) != Side::kNone; });
+        const auto next = held != unclear.end() ? held : unclear.end() - 1;
+        routes_[next->route][next->step].side = held != unclear.end() ? SideOfBends(*next) : Side::kLeft;
+        unclear.erase(next);
+      }
+      open = std::move(unclear);
+    }
+  }
+
+  /// The side on which the route that ends at a node lies, where a strand passes straight over it.
+  Side SideBeside(const Strand& strand) const {
+    const auto end = ends_.find(StepOf(strand).node);
+    if (end == ends_.end() || end->second.route == strand.route) return Side::kLeft;
+    const Strand back = Turned(strand);
+    const Point before = At(StepOf(Next(back))), after = At(StepOf(Next(strand)));
     for (Strand other = end->second; HasNext(other);) {
+      const FleetNodeId next = StepOf(Next(other)).node;
+      if (next == StepOf(Next(strand)).node) return SideOfSign(Along(other, strand));
+      if (next == StepOf(Next(back)).node) return SideOfSign(-Along(other, back));
       other = Next(other);
       const int turn = Orientation(before, after, At(StepOf(other)));
-      if (turn != 0) return turn > 0 ? Side::kLeft : Side::kRight;
+      if (turn != 0) return SideOfSign(turn);
     }
     return Side::kLeft;
   }
+
+  /// The side to which routes bend that bend around the node.
+  Side SideOfBends(const Strand& strand) const {
+    const Point before = At(StepOf(Next(Turned(strand)))), after = At(StepOf(Next(strand)));
+    for (const Strand& other : passages_.at(StepOf(strand).node)) {
+      const int arrival = Orientation(before, after, At(StepOf(Next(Turned(other)))));
+      const int departure = Orientation(before, after, At(StepOf(Next(other))));
+      if (arrival * departure >= 0 && arrival + departure != 0) return SideOfSign(arrival + departure);
+    }
+    return Side::kNone;
+  }
+
+  static Side SideOfSign(int sign) { return sign > 0 ? Side::kLeft : sign < 0 ? Side::kRight : Side::kNone; }
 
   const RouteStep& StepOf(const Strand& s) const { return routes_[s.route][s.step]; }
   bool HasNext(const Strand& s) const { return s.direction > 0 ? s.step + 1 < routes_[s.route].size() : s.step > 0; }
@@ -108,31 +149,38 @@ class Weaver {
     return a_beyond == (side == Side::kLeft) ? 1 : -1;
   }
 
-  /// +1 when strand a, ahead of a node that both pass on the same side, turns out to be to the left of b, -1 to the
-  /// right, 0 when nothing tells.
-  int Ahead(Strand a, Strand b) const {
-    for (;;) {
-      const Side side = SideOf(a);
-      const Strand after_a = Next(a), after_b = Next(b);
-      const RouteStep &step_a = StepOf(after_a), &step_b = StepOf(after_b);
-      if (step_a.node != step_b.node) {
-        const Point v = At(StepOf(a));
-        const bool one_way = Orientation(v, At(step_a), At(step_b)) == 0 && Dot(At(step_a) - v, At(step_b) - v) > 0;
-        if (!one_way) return Parting(a, b, side);
-        // One of them does not know of the node on its way.
-        const bool a_knows = Distance(v, At(step_a)) < Distance(v, At(step_b));
-        const Side known = SideOf(a_knows ? after_a : after_b);
-        return known == Side::kNone ? 0 : a_knows == (known == Side::kRight) ? 1 : -1;
-      }
-      const Side side_a = SideOf(after_a), side_b = SideOf(after_b);
-      if (side_a != side_b) {
-        // The node is between them: where it is to the right of one of them, that one is on the left.
-        return side_a == Side::kRight || side_b == Side::kLeft ? 1 : -1;
-      }
-      if (side_a == Side::kNone) return 0;
-      a = after_a;
-      b = after_b;
-    }
+  /// +1 when strand a, ahead of a node that both pass on one side, turns out to be to the left of b, -1 to the right,
+  /// 0 when nothing tells.
+  int Ahead(const Strand& a, const Strand& b) const {
+    const RouteStep &step_a = StepOf(Next(a)), &step_b = StepOf(Next(b));
+    if (step_a.node == step_b.node) return Along(a, b);
+    const Point v = At(StepOf(a));
+    const bool one_way = Orientation(v, At(step_a), At(step_b)) == 0 && Dot(At(step_a) - v, At(step_b) - v) > 0;
+    if (!one_way) return Parting(a, b, SideOf(a));
+    // One of them does not know of the node on its way.
+    const bool a_knows = Distance(v, At(step_a)) < Distance(v, At(step_b));
+    const Side known = SideOf(a_knows ? Next(a) : Next(b));
+    return known == Side::kNone ? 0 : a_knows == (known == Side::kRight) ? 1 : -1;
+  }
+
+  /// The same for strands that take the same edge next.
+  int Along(Strand a, Strand b) const {
+    do {
+      a = Next(a);
+      b = Next(b);
+      const bool open = IsOpen(a) || IsOpen(b);
+      if (open && !(IsOpen(a) && IsOpen(b))) return 0;
+      const Side side_a = SideOf(a), side_b = SideOf(b);
+      // The node is between them: where it is to the right of one of them, that one is on the left.
+      if (side_a != side_b) return side_a == Side::kRight || side_b == Side::kLeft ? 1 : -1;
+      if (side_a == Side::kNone && !open) return 0;
+    } while (StepOf(Next(a)).node == StepOf(Next(b)).node);
+    return Ahead(a, b);
+  }
+
+  /// Whether a strand passes a node straight, on a side that is not known yet.
+  bool IsOpen(const Strand& s) const {
+    return s.step > 0 && s.step + 1 < routes_[s.route].size() && StepOf(s).side == Side::kNone;
   }
 
   /// Whether passage a is nearer to the node than b. The lower one of both says in which direction they are compared
@@ -149,34 +197,56 @@ class Weaver {
     return a_leads == ((left > 0) == (side == Side::kLeft));
   }
 
-  void FindRanks() {
-    std::map<FleetNodeId, std::vector<Strand>> passages;
-    ranks_.resize(routes_.size());
-    for (std::size_t r = 0; r < routes_.size(); ++r) {
-      ranks_[r].assign(routes_[r].size(), 1);
-      for (std::size_t i = 1; i + 1 < routes_[r].size(); ++i) passages[routes_[r][i].node].push_back({r, i, 1});
-    }
-    for (const auto& [node, strands] : passages) {
-      for (const Strand& a : strands) {
-        int& rank = ranks_[a.route][a.step];
-        for (const Strand& b : strands) {
-          const bool same = a.route == b.route && a.step == b.step;
-          if (!same && IsNearer(b, a)) ++rank;
-        }
-        most_ = std::max(most_, rank);
-      }
-    }
+  /// A bend: which way is off the node, and which ways are off its two arms.
+  struct Bend {
+    Point out, off_arrival, off_departure;
+    double cosine = 1;  ///< Of half the turn: the share of a distance from the tip that is distance from the arms.
+  };
+
+  Bend BendOf(const Strand& s) const {
+    const Route& route = routes_[s.route];
+    const Point at = At(route[s.step]), in = at - At(route[s.step - 1]), out = At(route[s.step + 1]) - at;
+    const Point to = (1 / Norm(in)) * in, from = (1 / Norm(out)) * out;
+    const double sign = route[s.step].side == Side::kLeft ? -1 : 1;
+    Bend bend{{}, sign * LeftOf(to), sign * LeftOf(from)};
+    const Point normal = 0.5 * (bend.off_arrival + bend.off_departure), tip = to - from;
+    bend.cosine = Norm(normal);
+    bend.out = bend.cosine > 0.5 ? (1 / bend.cosine) * normal : (1 / Norm(tip)) * tip;
+    return bend;
   }
 
-  /// The way off the node per metre of distance from both arms.
-  static Point Outwards(const Polyline& points, std::size_t i, Side side) {
-    const Point in = points[i] - points[i - 1], out = points[i + 1] - points[i];
-    const Point to = (1 / Norm(in)) * in, from = (1 / Norm(out)) * out;
-    const Point normal = (side == Side::kLeft ? -0.5 : 0.5) * (LeftOf(to) + LeftOf(from));
-    const double cosine = Norm(normal);
-    if (cosine * kLongestMitre >= 1) return (1 / (cosine * cosine)) * normal;
-    const Point tip = to - from;
-    return (kLongestMitre / Norm(tip)) * tip;
+  /// How far from its node each track turns, in spacings: so far that what is nearer to the node stays inside of it.
+  void FindReaches() {
+    for (const Route& route : routes_) reaches_.emplace_back(route.size(), 0.0);
+    for (const auto& [node, strands] : passages_) Nest(strands);
+  }
+
+  /// The same for the strands that pass one node.
+  void Nest(const std::vector<Strand>& strands) {
+    const std::size_t count = strands.size();
+    std::vector<std::vector<std::size_t>> nearer(count);
+    std::vector<std::size_t> order(count);
+    for (std::size_t b = 0; b < count; ++b) {
+      order[b] = b;
+      for (std::size_t a = 0; a < count; ++a) {
+        if (a != b && IsNearer(strands[a], strands[b])) nearer[b].push_back(a);
+      }
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return nearer[a].size() < nearer[b].size(); });
+    std::vector<double> reach(count, 0);  // 0 as well for those that are not placed yet.
+    for (const std::size_t b : order) {
+      const Bend bend = BendOf(strands[b]);
+      const double step = 1 / std::max(bend.cosine, 1 / kLongestMitre);
+      reach[b] = step;
+      for (const std::size_t a : nearer[b]) {
+        const Point out = BendOf(strands[a]).out;
+        const double off_arms = std::max({Dot(out, bend.off_arrival), Dot(out, bend.off_departure), 0.0});
+        reach[b] = std::max(reach[b], reach[a] * off_arms / bend.cosine + step);
+      }
+      reaches_[strands[b].route][strands[b].step] = reach[b];
+      most_ = std::max(most_, reach[b]);
+    }
   }
 
   /// A spacing at which no track comes near a node that its route does not pass.
@@ -188,7 +258,7 @@ class Weaver {
       nodes.emplace_back(p, p);
       box.Add(p);
     }
-    const double room = 4 * kLongestMitre * most_;
+    const double room = 4 * most_;
     double spacing = kTinySpacing * Norm(box.size());
     const BoxIndex index(nodes);
     for (const Route& route : routes_) {
@@ -208,8 +278,9 @@ class Weaver {
   const FleetGround& ground_;
   std::vector<Route> routes_;
   std::map<FleetNodeId, Strand> ends_;
-  std::vector<std::vector<int>> ranks_;  ///< By route and step: how many tracks are not farther from the node.
-  int most_ = 1;
+  std::map<FleetNodeId, std::vector<Strand>> passages_;
+  std::vector<std::vector<double>> reaches_;  ///< By route and step, in spacings; 0 at the ends.
+  double most_ = 1;                           ///< Of all reaches.
 };
 
 }  // namespace
