@@ -106,6 +106,8 @@ class PlanJson {
     }
     json["network_deadlocks"] = Json::array();
     for (const auto& robots : plan_.network_deadlocks) json["network_deadlocks"].push_back(Names(robots));
+    json["entangled"] = Json::array();
+    for (const auto& robots : plan_.entangled) json["entangled"].push_back(Names(robots));
   }
 
   Json EventJson(const FleetEvent& event) const {

@@ -36,6 +36,9 @@ std::string Sentences(const FleetGround& ground, const FleetPlan& plan) {
   for (std::size_t i = 0; i < std::min<std::size_t>(plan.network_deadlocks.size(), 2); ++i) {
     text += "On straight paths " + NamesText(ground, plan.network_deadlocks[i]) + " would wait for each other. ";
   }
+  for (std::size_t i = 0; i < std::min<std::size_t>(plan.entangled.size(), 2); ++i) {
+    text += "On straight paths " + NamesText(ground, plan.entangled[i]) + " would make another layout. ";
+  }
   return text.empty() ? text : text.substr(0, text.size() - 1);
 }
 

@@ -97,6 +97,7 @@ TEST(DrawFleetPlan, TellsOfDeadlocksAndDetours) {
   FleetPlan plan = HandMadePlan(e.ground, {{1, 0}});
   plan.pair_deadlocks = {{RobotId(1), RobotId(2)}};
   plan.network_deadlocks = {{RobotId(0), RobotId(1)}};
+  plan.entangled = {{RobotId(2)}};
   plan.detours = {RobotId(2)};
   plan.schedule[2].path = {
       .route = e.layout[2], .points = PointsOf(e.ground, e.layout[2]), .along = {0, 1, 2}, .is_cable = true};
@@ -105,7 +106,8 @@ TEST(DrawFleetPlan, TellsOfDeadlocksAndDetours) {
   EXPECT_EQ(XmlCheck(svg).error(), "");
   EXPECT_THAT(XmlCheck(svg).classes(), Contains("detour"));
   EXPECT_THAT(svg, AllOf(HasSubstr("Pair deadlock of r2 and r3"), HasSubstr("r1 and r2 would wait for each other"),
-                         HasSubstr("r3 must follow its cable line"), HasSubstr("with a detour of r3")));
+                         HasSubstr("r3 would make another layout"), HasSubstr("r3 must follow its cable line"),
+                         HasSubstr("with a detour of r3")));
 }
 
 TEST(DrawFleetPlan, OfARobotAlone) {

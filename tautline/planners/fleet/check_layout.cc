@@ -48,7 +48,8 @@ class PairCheck {
 
   void Run(LayoutFaults& faults) {
     for (std::size_t i = 0; i < layout_.size() && faults.all_crossings; ++i) {
-      if (options_.watch && !options_.watch("crossings", static_cast<double>(i) / static_cast<double>(layout_.size()))) {
+      if (options_.watch &&
+          !options_.watch("crossings", static_cast<double>(i) / static_cast<double>(layout_.size()))) {
         throw Stopped();
       }
       CompareAt(RobotId(i), faults);

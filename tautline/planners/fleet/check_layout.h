@@ -59,9 +59,9 @@ struct CheckLayoutOptions {
   Watcher watch;                        ///< Told how far the check has come.
 };
 
-/// Checks all robots of a layout and all pairs of them. Requires a layout of the ground. Throws Stopped when the watcher
-/// says stop. Only pairs whose lines come near each other or share a node are compared: O(n log n) for n steps of
-/// routes that stay in their neighbourhood.
+/// Checks all robots of a layout and all pairs of them. Requires a layout of the ground. Throws Stopped when the
+/// watcher says stop. Only pairs whose lines come near each other or share a node are compared: O(n log n) for n steps
+/// of routes that stay in their neighbourhood.
 LayoutFaults CheckLayout(const FleetGround& ground, const FleetLayout& layout, const CheckLayoutOptions& options = {});
 
 /// The self loops of one route. Requires that it does not turn straight back.

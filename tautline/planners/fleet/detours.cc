@@ -17,6 +17,12 @@ class DetourSearch {
 
   Detours Run() {
     for (const PairDeadlock& pair : problem_.pair_deadlocks) AddSet({pair.a.value(), pair.b.value()});
+    for (const auto& robots : problem_.entangled) {
+      ItemSet set;
+      for (const RobotId robot : robots) set.push_back(robot.value());
+      AddSet(std::move(set));
+    }
+    given_ = sets_;
     HittingSet least;
     for (std::size_t round = 0; round < rounds_; ++round) {
       stop_.Step();
@@ -105,10 +111,10 @@ class DetourSearch {
       stop_.Step();
       const auto i = static_cast<std::size_t>(robot);
       gone[i] = false;
-      const bool pairs_hit =
-          std::all_of(problem_.pair_deadlocks.begin(), problem_.pair_deadlocks.end(),
-                      [&](const PairDeadlock& pair) { return gone[pair.a.index()] || gone[pair.b.index()]; });
-      if (pairs_hit && CyclicParts(problem_.graph, gone).empty()) continue;
+      const bool given_hit = std::all_of(given_.begin(), given_.end(), [&](const ItemSet& set) {
+        return std::any_of(set.begin(), set.end(), [&](std::int32_t r) { return gone[static_cast<std::size_t>(r)]; });
+      });
+      if (given_hit && CyclicParts(problem_.graph, gone).empty()) continue;
       gone[i] = true;
       needed.push_back(robot);
     }
@@ -141,7 +147,7 @@ class DetourSearch {
   const DetourProblem& problem_;
   std::size_t nodes_, rounds_;
   StopCheck stop_;
-  std::vector<ItemSet> sets_;
+  std::vector<ItemSet> sets_, given_;
   std::set<ItemSet> known_;
   std::size_t bound_ = 0;
 };

@@ -10,9 +10,10 @@ namespace tautline {
 
 /// What detours must resolve, and what they cost.
 struct DetourProblem {
-  const OrderGraph& graph;                          ///< Must have no circle without the robots on a detour.
-  const std::vector<PairDeadlock>& pair_deadlocks;  ///< One of each pair must go.
-  std::vector<double> costs;                        ///< How much longer each detour is, by RobotId, metres.
+  const OrderGraph& graph;                             ///< Must have no circle without the robots on a detour.
+  const std::vector<PairDeadlock>& pair_deadlocks;     ///< One of each pair must go.
+  const std::vector<std::vector<RobotId>>& entangled;  ///< One of each of these must go as well.
+  std::vector<double> costs;                           ///< How much longer each detour is, by RobotId, metres.
 };
 
 /// How long the least detours are searched for.

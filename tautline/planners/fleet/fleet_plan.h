@@ -109,13 +109,16 @@ struct FleetPlan {
   std::vector<PairDeadlock> pair_deadlocks;             ///< Its edges in both directions.
   std::vector<std::vector<RobotId>> network_deadlocks;  ///< Robots that wait for each other in a circle, each circle
                                                         ///< once for each strongly connected part of the event graph.
-  std::vector<RobotId> detours;                         ///< In this mode, in the order of the robots.
-  std::vector<Passing> detour_passings;                 ///< Between a robot on a detour and one that is not.
-  std::vector<EventEdge> event_edges;                   ///< Between chains, of the paths as driven.
-  std::vector<RobotSchedule> schedule;                  ///< By RobotId.
-  double travel_time = 0;                               ///< s.
-  double travel_distance = 0;                           ///< Metres.
-  std::array<ModeSummary, 4> modes;                     ///< By FleetMode.
+  /// Robots that keep the orders of all pairs on their straight paths and do not make their part of the layout all the
+  /// same; those that were met with while detours were sought, each set without any robot that it could do without.
+  std::vector<std::vector<RobotId>> entangled;
+  std::vector<RobotId> detours;          ///< In this mode, in the order of the robots.
+  std::vector<Passing> detour_passings;  ///< Between a robot on a detour and one that is not.
+  std::vector<EventEdge> event_edges;    ///< Between chains, of the paths as driven.
+  std::vector<RobotSchedule> schedule;   ///< By RobotId.
+  double travel_time = 0;                ///< s.
+  double travel_distance = 0;            ///< Metres.
+  std::array<ModeSummary, 4> modes;      ///< By FleetMode.
 };
 
 /// The orders that hold for the paths as driven: those of the straight paths between robots that are on no detour, and

@@ -6,6 +6,7 @@
 
 #include "tautline/base/check.h"
 #include "tautline/geometry/predicates.h"
+#include "tautline/planners/fleet/playback.h"
 #include "tautline/planners/fleet/robot_paths.h"
 #include "tautline/planners/fleet/schedule.h"
 #include "tautline/scene/number_text.h"
@@ -120,6 +121,61 @@ class Planner {
     summary.travel_distance = cost.distance;
   }
 
+  /// The least detours with which the layout comes out when the orders of `graph` are kept.
+  Detours FindDetours(const OrderGraph& graph) {
+    for (;;) {
+      Detours detours =
+          LeastDetours({graph, interactions_.deadlocks, plan_.entangled, DetourCosts()}, options_.detours);
+      std::vector<bool> is_straight(ground_.size(), true);
+      for (const RobotId robot : detours.robots) is_straight[robot.index()] = false;
+      if (ComesOut(is_straight)) return detours;
+      plan_.entangled.push_back(LeastEntangled(std::move(is_straight)));
+    }
+  }
+
+  /// Whether the layout comes out when some robots drive straight and the others along their cable lines. Requires that
+  /// the orders of those that drive straight can be kept: which layout it is depends on the orders alone.
+  bool ComesOut(const std::vector<bool>& is_straight) const {
+    std::vector<RobotId> detours;
+    for (std::size_t i = 0; i < is_straight.size(); ++i) {
+      if (!is_straight[i]) detours.emplace_back(i);
+    }
+    const Drive drive = DriveWith(detours);
+    const auto schedule = EarliestSchedule(ground_, drive.paths, GraphOf(drive, nullptr));
+    TAUTLINE_CHECK(schedule.has_value());
+    std::vector<Passing> passings;
+    for (std::size_t k = 0; k < drive.orders.size(); ++k) passings.push_back(PassingOf(drive.orders[k], k));
+    const auto played = Play(ground_, layout_, *schedule, passings, {.words_up_to = 0});
+    TAUTLINE_CHECK(played.has_value());
+    return played->differing.empty();
+  }
+
+  /// Robots that do not make their part of the layout if they drive straight, none of which can be spared. Tries to
+  /// spare ever smaller groups.
+  std::vector<RobotId> LeastEntangled(std::vector<bool> is_straight) const {
+    std::vector<RobotId> robots;
+    for (std::size_t i = 0; i < is_straight.size(); ++i) {
+      if (is_straight[i]) robots.emplace_back(i);
+    }
+    for (std::size_t group = (robots.size() + 1) / 2;; group = (group + 1) / 2) {
+      for (std::size_t begin = 0; begin < robots.size();) {
+        const std::size_t end = std::min(begin + group, robots.size());
+        std::vector<bool> fewer = is_straight;
+        for (std::size_t i = begin; i < end; ++i) fewer[robots[i].index()] = false;
+        if (ComesOut(fewer)) {
+          begin = end;
+          continue;
+        }
+        is_straight = std::move(fewer);
+        robots.erase(robots.begin() + static_cast<std::ptrdiff_t>(begin),
+                     robots.begin() + static_cast<std::ptrdiff_t>(end));
+      }
+      if (group <= 1) break;
+    }
+    TAUTLINE_CHECK(!robots.empty());
+    return robots;
+  }
+
   void SummarizeConcurrent() {
     const EventGraph graph = MakeEventGraph(straight_, interactions_.orders);
     const OrderGraph flat = graph.Flat();
@@ -128,7 +184,7 @@ class Planner {
       for (const std::uint32_t v : part) robots.push_back(flat.robot_of[v]);
       robots.erase(std::unique(robots.begin(), robots.end()), robots.end());
     }
-    const Detours detours = LeastDetours({flat, interactions_.deadlocks, DetourCosts()}, options_.detours);
+    const Detours detours = FindDetours(flat);
     ModeSummary& summary = plan_.modes[IndexOf(FleetMode::kStraightConcurrent)] = Summarize(detours);
     if (!summary.realizable) summary.without_detours = CostTogether(straight_);
     concurrent_ = DriveWith(summary.detours);
@@ -150,7 +206,7 @@ class Planner {
   }
 
   void SummarizeSequential() {
-    const Detours detours = LeastDetours({PairGraph(), interactions_.deadlocks, DetourCosts()}, options_.detours);
+    const Detours detours = FindDetours(PairGraph());
     ModeSummary& summary = plan_.modes[IndexOf(FleetMode::kStraightSequential)] = Summarize(detours);
     if (!summary.realizable) summary.without_detours = CostInTurn(straight_);
     std::vector<RobotPath> paths = straight_;

@@ -45,10 +45,12 @@ std::string CrossingLabel(std::size_t position);
 /// One sentence without a full stop that says what is wrong and how to mend it.
 std::string Explain(const FleetGround& ground, const FleetPlanFault& fault);
 
-/// Plans the motion to a layout that is free of crossings. Requires such a layout, see CheckLayout; for others the
-/// motion need not bring it about. Robots on a detour go as early as the orders allow [Zhang2019 lets them wait for all
-/// others]. Cost: as ShortestPaths, FindContacts, FindInteractions and LeastDetours; for the rest, O(m log m) for m
-/// events. Memory: linear in the points of the paths and in the number of crossings.
+/// Plans the motion to a layout that is free of crossings. That the orders of all pairs can be kept does not mean yet
+/// that the layout comes out: three robots can make another one that looks the same to each two of them. So motions are
+/// played (Play), and robots found to be entangled so count as one more kind of deadlock. Requires such a layout, see
+/// CheckLayout; for others the motion need not bring it about. Robots on a detour go as early as the orders allow
+/// [Zhang2019 lets them wait for all others]. Cost: as ShortestPaths, FindContacts, FindInteractions and LeastDetours;
+/// for the rest, O(m log m) for m events. Memory: linear in the points of the paths and in the number of crossings.
 tl::expected<FleetPlan, FleetPlanFault> PlanFleet(const FleetGround& ground, const FleetLayout& layout,
                                                   const FleetPlanOptions& options = {});
 

@@ -31,11 +31,11 @@ struct RouteCrossing {
   std::vector<FleetNodeId> shared;
 };
 
-/// Every crossing of two routes: those at nodes, then the others, both in the order of the first route. None means that the two lines can be moved apart by as
-/// little as one likes, each with every node at which it bends still on its inner side; a node that a route passes
-/// straight and without a side may be on either. A part that both share, in one direction or in opposite ones, counts
-/// at most once. Exact. Requires routes of one ground, none of which turns straight back. O(n log n) for n steps and
-/// edges that do not run through each other's boxes. [Zhang2019, App. B]
+/// Every crossing of two routes: those at nodes, then the others, both in the order of the first route. None means that
+/// the two lines can be moved apart by as little as one likes, each with every node at which it bends still on its
+/// inner side; a node that a route passes straight and without a side may be on either. A part that both share, in one
+/// direction or in opposite ones, counts at most once. Exact. Requires routes of one ground, none of which turns
+/// straight back. O(n log n) for n steps and edges that do not run through each other's boxes. [Zhang2019, App. B]
 std::vector<RouteCrossing> RouteCrossings(const FleetGround& ground, const Route& a, const Route& b);
 
 /// Only the crossings at nodes that both pass: all but kInterior. O(n log n).
