@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <memory>
 
 #include "tautline/draw/curve.h"
 #include "tautline/draw/draw_fleet.h"
@@ -21,7 +19,6 @@ constexpr std::size_t kMostNamedCrossings = 40;      // With more, crossings are
 constexpr std::size_t kMostDottedCrossings = 3'000;  // With more, they are left out.
 constexpr std::size_t kMostColumns = 22;             // Of the event graph.
 constexpr double kArrowReach = 17;                   // Pixels from a crossing to the ends of its arrow.
-const LineStyle kDetourLine = {.width = 5};
 
 bool OnDetour(const FleetPlan& plan, std::size_t robot) { return plan.schedule[robot].path.is_cable; }
 
