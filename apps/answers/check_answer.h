@@ -13,9 +13,9 @@ namespace tautline {
 
 struct CheckAnswer {
   FleetSetup setup;
-  LayoutFaults faults = {};                   ///< Empty as well where the lines cannot be cable lines.
+  LayoutFaults faults = {};                    ///< Empty as well where the lines cannot be cable lines.
   std::vector<std::string> explanations = {};  ///< What is wrong, a sentence for each fault.
-  Json json = {};                             ///< The result as docs/fleet.md describes it.
+  Json json = {};                              ///< The result as docs/fleet.md describes it.
   ExitStatus status = kExitSolved;
 };
 

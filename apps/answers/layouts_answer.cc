@@ -4,6 +4,7 @@
 
 #include "apps/answers/verification.h"
 #include "tautline/planners/fleet/check_layout.h"
+#include "tautline/scene/number_text.h"
 
 namespace tautline {
 namespace {
@@ -28,15 +29,29 @@ void AddLayouts(const FleetSetup& setup, const LayoutsResult& result, Json& json
   json["routes"] = result.routes;
 }
 
+/// Why a robot has no cable line, as a slug and a sentence.
+std::pair<std::string, std::string> WhyNoLine(const FleetSetup& setup, RobotId id, bool limited) {
+  const FleetRobot& robot = setup.ground.robot(id);
+  const auto blocked = [&](Point p) { return setup.ground.space() != nullptr && !setup.ground.space()->Locate(p); };
+  if (blocked(robot.start)) {
+    return {"start_blocked", "the start of " + robot.name + ", " + ToText(robot.start) + ", is not in the free space"};
+  }
+  if (blocked(robot.target)) {
+    return {"target_blocked",
+            "the target of " + robot.name + ", " + ToText(robot.target) + ", is not in the free space"};
+  }
+  return {"no_cable_line", "robot " + robot.name + " has no cable line" +
+                               (limited || robot.tether ? " up to the limit" : "") +
+                               " that keeps all other starts outside of its polygon"};
+}
+
 /// Why there is no layout, as a slug and a sentence.
 std::pair<std::string, std::string> WhyNone(const LayoutsAnswer& answer, const LayoutsOptions& options) {
   const LayoutsResult& result = answer.result;
-  if (result.budget_exceeded) return {"budget_exceeded", "the budget ran out before a layout was found; raise --budget"};
+  if (result.budget_exceeded)
+    return {"budget_exceeded", "the budget ran out before a layout was found; raise --budget"};
   const bool limited = options.max_length || options.max_total;
-  if (!result.without_route.empty()) {
-    return {"no_cable_line", "robot " + answer.setup.name(result.without_route[0]) + " has no cable line" +
-                                 (limited ? " up to the limit" : "") + " that keeps all other starts outside"};
-  }
+  if (!result.without_route.empty()) return WhyNoLine(answer.setup, result.without_route[0], limited);
   return {"no_layout", limited ? "no layout up to the limit is free of crossings"
                                : "each layout crosses, loops or encloses a start"};
 }

@@ -63,9 +63,11 @@ std::string ToText(const LayoutsAnswer& answer) {
   text += ":\n";
   for (std::size_t i = 0; i < std::min(result.layouts.size(), kMostListed); ++i) {
     const FoundLayout& layout = result.layouts[i];
-    text += fmt::format("  {:3}  {:>12}  {}\n", i + 1, Metres(layout.total), DescribeCables(answer.setup.ground, layout));
+    text +=
+        fmt::format("  {:3}  {:>12}  {}\n", i + 1, Metres(layout.total), DescribeCables(answer.setup.ground, layout));
   }
-  if (result.layouts.size() > kMostListed) text += fmt::format("  ... and {} more\n", result.layouts.size() - kMostListed);
+  if (result.layouts.size() > kMostListed)
+    text += fmt::format("  ... and {} more\n", result.layouts.size() - kMostListed);
   return text + DescribeVerification(answer.verified_curves);
 }
 
@@ -97,7 +99,9 @@ Run AddFleetLayouts(CLI::App& fleet) {
   sub->add_option("--max-total", options.max_total, "only layouts whose cable lines are together no longer than this")
       ->type_name("METRES")
       ->check(NonNegative());
-  sub->add_option("--count", options.max_count, "only so many, the shortest")->check(AtLeastOne())->capture_default_str();
+  sub->add_option("--count", options.max_count, "only so many, the shortest")
+      ->check(AtLeastOne())
+      ->capture_default_str();
   sub->add_flag("--count-all", options.count_all, "also count all layouts up to the limits");
   sub->add_option("--budget", options.budget, "search steps after which to stop")
       ->check(AtLeastOne())

@@ -201,8 +201,8 @@ std::string Explain(const FleetGround& ground, const EnclosedStart& fault) {
 }
 
 std::string Explain(const FleetGround& ground, const ShortTether& fault) {
-  return "the cable of " + ground.robot(fault.robot).name + " is " + Metres(fault.limit) +
-         " long and its cable line " + Metres(fault.length);
+  return "the cable of " + ground.robot(fault.robot).name + " is " + Metres(fault.limit) + " long and its cable line " +
+         Metres(fault.length);
 }
 
 }  // namespace tautline

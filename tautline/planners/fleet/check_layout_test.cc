@@ -53,20 +53,22 @@ TEST(CheckLayout, NamesEachCase) {
   EXPECT_EQ(FaultsOf(FleetOf({{{0, 1}, {4, 2}, {8, 0}}, {{3, 6}, {4, 2}, {5, -6}}, {{9, 9}, {4, 2}}})).front(),
             "the cable lines of r1 and r2 cross at the target of r3, which both pass");
   // r1 and r2 share the way between the targets of r3 and r4, and change sides on it.
-  EXPECT_EQ(FaultsOf(FleetOf({{{0, 1}, {2, 0}, {6, 0}, {8, -1}},
-                              {{0, -1}, {2, 0}, {6, 0}, {8, 1}},
-                              {{2, 5}, {2, 0}},
-                              {{6, 5}, {6, 0}}}))
-                .front(),
-            "the cable lines of r1 and r2 share the way from the target of r3 to the target of r4 and cross there: they "
-            "leave it to the other side");
+  EXPECT_EQ(
+      FaultsOf(FleetOf({{{0, 1}, {2, 0}, {6, 0}, {8, -1}},
+                        {{0, -1}, {2, 0}, {6, 0}, {8, 1}},
+                        {{2, 5}, {2, 0}},
+                        {{6, 5}, {6, 0}}}))
+          .front(),
+      "the cable lines of r1 and r2 share the way from the target of r3 to the target of r4 and cross there: they "
+      "leave it to the other side");
 }
 
 TEST(CheckLayout, NamesLoopsStartsAndShortCables) {
   EXPECT_EQ(FaultsOf(FleetOf({{{0, 0}, {4, 0}, {4, 3}, {2, -3}}, {{3.5, 0.25}, {4, 0}}, {{3.75, 2}, {4, 3}}})).front(),
             "the cable line of r1 crosses itself at (3, 0)");
-  EXPECT_EQ(FaultsOf(FleetOf({{{0, 0}, {4, 4}, {8, 0}}, {{4, 2}, {4, 4}}})),
-            Sentences{"the start of r2 lies inside of the polygon of r1, which its cable line and its shortest path bound"});
+  EXPECT_EQ(
+      FaultsOf(FleetOf({{{0, 0}, {4, 4}, {8, 0}}, {{4, 2}, {4, 4}}})),
+      Sentences{"the start of r2 lies inside of the polygon of r1, which its cable line and its shortest path bound"});
   EXPECT_EQ(FaultsOf(FleetOf({{{0, 0}, {8, 0}}, {{4, 0}, {4, 4}}})),
             Sentences{"the start of r2 lies on the polygon of r1, which its cable line and its shortest path bound"});
   Scene scene = FleetOf({{{0, 0}, {8, 0}}});

@@ -14,9 +14,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// The sums of lengths in bounds and in totals are rounded differently; bounds are lowered by this share.
 constexpr double kRounding = 1e-12;
-/// The first round looks at lines up to this share of all straight ways longer than the shortest; each later round, at
-/// twice as much. So few rounds suffice, and the last one costs about as much as all before.
-constexpr double kFirstSlack = 0.05;
+/// The first round looks at lines that are longer than the shortest by up to this share of the mean straight way, and
+/// each later round at twice as much: few rounds suffice, and the last one costs about as much as all before.
+constexpr double kFirstSlack = 0.25;
 
 /// One bit for each cable line of a robot.
 using Bits = std::vector<std::uint64_t>;
@@ -94,7 +94,7 @@ class Compatibility {
     for (std::size_t a = 0; a < of_i.size(); ++a) {
       rows.bits[a].resize((of_j.size() + 63) / 64);
       for (std::size_t b = a < old_i ? old_j : 0; b < of_j.size(); ++b) {
-        if (RouteCrossings(ground_, of_i[a].route, of_j[b].route).empty()) Add(rows.bits[a], b);
+        if (!RoutesCross(ground_, of_i[a].route, of_j[b].route)) Add(rows.bits[a], b);
         if (!budget.Spend()) return false;
       }
     }
@@ -280,7 +280,8 @@ class LayoutsSearch {
   /// False when the budget ran out.
   bool RunRounds(LayoutsResult& result) {
     const double limit = options_.max_total.value_or(kInfinity);
-    for (double slack = options_.count_all ? kInfinity : kFirstSlack * straight_;; slack *= 2) {
+    for (double slack = options_.count_all ? kInfinity : kFirstSlack * straight_ / static_cast<double>(ground_.size());;
+         slack *= 2) {
       if (!ExtendLines(slack) || !compatible_.Extend(searches_, budget_)) return false;
       // A layout that is longer than the least total by no more than the slack has no line that is longer by more.
       const bool all = HasAll();

@@ -9,8 +9,8 @@
 namespace tautline {
 namespace {
 
-/// Routes with fewer pairs of edges than this are compared without an index, which costs more than it saves.
-constexpr std::size_t kFewEdgePairs = 4096;
+/// Routes with no more pairs of steps than this are compared without an index, which would cost more than it saves.
+constexpr std::size_t kFewPairs = 4096;
 
 /// The side of the way from `before` over `at` to `after` on which `p` lies, as seen from `at`; kNone on the way.
 Side SideOfWay(Point before, Point at, Point after, Point p) {
@@ -112,6 +112,14 @@ class SharedParts {
   /// The positions in both routes of each node that is in both, in the order of the first.
   std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> CommonSteps() const {
     std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> common;
+    if (a_.size() * b_.size() <= kFewPairs) {
+      for (std::size_t i = 0; i < a_.size(); ++i) {
+        for (std::size_t j = 0; j < b_.size(); ++j) {
+          if (a_[i].node == b_[j].node) common.emplace_back(i, j);
+        }
+      }
+      return common;
+    }
     const Steps in_b = Sorted(b_);
     for (std::size_t i = 0; i < a_.size(); ++i) {
       auto found = std::lower_bound(in_b.begin(), in_b.end(), std::pair(a_[i].node, std::ptrdiff_t{0}));
@@ -157,23 +165,46 @@ BoxIndex::Segment EdgeAt(const FleetGround& ground, const Route& route, std::siz
   return {ground.point(route[step].node), ground.point(route[step + 1].node)};
 }
 
-/// Calls visit(i, j) for the pairs of edges that may cross, by their first steps.
-template <class Visit>
-void ForEachNearEdges(const FleetGround& ground, const Route& a, const Route& b, Visit visit) {
-  if (a.size() < 2 || b.size() < 2) return;
-  if (a.size() * b.size() <= kFewEdgePairs) {
+bool BoxesMeet(const BoxIndex::Segment& a, const BoxIndex::Segment& b) {
+  const auto [p, q] = a;
+  const auto [r, s] = b;
+  return std::max(p.x, q.x) >= std::min(r.x, s.x) && std::max(r.x, s.x) >= std::min(p.x, q.x) &&
+         std::max(p.y, q.y) >= std::min(r.y, s.y) && std::max(r.y, s.y) >= std::min(p.y, q.y);
+}
+
+bool EdgesCross(const FleetGround& ground, const Route& a, std::size_t i, const Route& b, std::size_t j) {
+  const auto [p, q] = EdgeAt(ground, a, i);
+  const auto [r, s] = EdgeAt(ground, b, j);
+  return BoxesMeet({p, q}, {r, s}) && CrossProperly(p, q, r, s);
+}
+
+/// The pairs of edges that cross, by their first steps; only the first pair found when that is enough.
+std::vector<std::pair<std::size_t, std::size_t>> CrossingEdges(const FleetGround& ground, const Route& a,
+                                                               const Route& b, bool one_is_enough) {
+  std::vector<std::pair<std::size_t, std::size_t>> crossing;
+  if (a.size() < 2 || b.size() < 2) return crossing;
+  if (a.size() * b.size() <= kFewPairs) {
     for (std::size_t i = 0; i + 1 < a.size(); ++i) {
-      for (std::size_t j = 0; j + 1 < b.size(); ++j) visit(i, j);
+      for (std::size_t j = 0; j + 1 < b.size(); ++j) {
+        if (EdgesCross(ground, a, i, b, j)) crossing.emplace_back(i, j);
+        if (one_is_enough && !crossing.empty()) return crossing;
+      }
     }
-    return;
+    return crossing;
   }
   std::vector<BoxIndex::Segment> edges;
   for (std::size_t j = 0; j + 1 < b.size(); ++j) edges.push_back(EdgeAt(ground, b, j));
   const BoxIndex index(edges);
   for (std::size_t i = 0; i + 1 < a.size(); ++i) {
     const auto [from, to] = EdgeAt(ground, a, i);
-    index.ForEachAlong(from, to, 0, [&](std::size_t j) { visit(i, j); });
+    index.ForEachAlong(from, to, 0, [&](std::size_t j) {
+      if (EdgesCross(ground, a, i, b, j)) crossing.emplace_back(i, j);
+    });
+    if (one_is_enough && !crossing.empty()) return crossing;
   }
+  std::sort(crossing.begin(), crossing.end());
+  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  return crossing;
 }
 
 }  // namespace
@@ -197,22 +228,17 @@ std::string ToString(CrossingKind kind) {
 }
 
 std::vector<RouteCrossing> RouteCrossings(const FleetGround& ground, const Route& a, const Route& b) {
-  std::vector<std::pair<std::size_t, std::size_t>> crossing;
-  ForEachNearEdges(ground, a, b, [&](std::size_t i, std::size_t j) {
-    const auto [p, q] = EdgeAt(ground, a, i);
-    const auto [r, s] = EdgeAt(ground, b, j);
-    if (CrossProperly(p, q, r, s)) crossing.emplace_back(i, j);
-  });
   std::vector<RouteCrossing> crossings = NodeCrossings(ground, a, b);
-  if (crossing.empty()) return crossings;
-  std::sort(crossing.begin(), crossing.end());
-  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
-  for (const auto& [i, j] : crossing) {
+  for (const auto& [i, j] : CrossingEdges(ground, a, b, false)) {
     const auto [p, q] = EdgeAt(ground, a, i);
     const auto [r, s] = EdgeAt(ground, b, j);
     crossings.push_back({CrossingKind::kInterior, CrossingPoint(p, q, r, s), {}});
   }
   return crossings;
+}
+
+bool RoutesCross(const FleetGround& ground, const Route& a, const Route& b) {
+  return !CrossingEdges(ground, a, b, true).empty() || !NodeCrossings(ground, a, b).empty();
 }
 
 std::vector<RouteCrossing> NodeCrossings(const FleetGround& ground, const Route& a, const Route& b) {

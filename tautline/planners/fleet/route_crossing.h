@@ -38,6 +38,9 @@ struct RouteCrossing {
 /// straight back. O(n log n) for n steps and edges that do not run through each other's boxes. [Zhang2019, App. B]
 std::vector<RouteCrossing> RouteCrossings(const FleetGround& ground, const Route& a, const Route& b);
 
+/// Whether there is any crossing, without saying which. As RouteCrossings, and ends at the first one.
+bool RoutesCross(const FleetGround& ground, const Route& a, const Route& b);
+
 /// Only the crossings at nodes that both pass: all but kInterior. O(n log n).
 std::vector<RouteCrossing> NodeCrossings(const FleetGround& ground, const Route& a, const Route& b);
 

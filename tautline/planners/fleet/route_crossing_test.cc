@@ -118,6 +118,7 @@ bool ComparePair(const Scene& scene, const FleetGround& ground, Rng& rng, double
     for (const auto& crossing : found) ADD_FAILURE() << ToString(crossing.kind);
   }
   EXPECT_EQ(found.size(), RouteCrossings(ground, *b, *a).size());
+  EXPECT_EQ(RoutesCross(ground, *a, *b), !found.empty());
   ++tally.pairs;
   if (found.empty()) ++tally.apart;
   for (const RouteCrossing& crossing : found) ++tally.kinds[crossing.kind];

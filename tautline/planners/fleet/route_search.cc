@@ -52,13 +52,14 @@ double RouteSearch::BoundOf(const Partial& partial) const {
 
 std::int64_t RouteSearch::Extend(double length, std::int64_t steps) {
   std::int64_t done = 0;
-  for (; done < steps && !open_.empty() && open_.top().first <= length; ++done) {
+  while (done < steps && !open_.empty() && open_.top().first <= length) {
     const std::int64_t partial = open_.top().second;
     open_.pop();
     if (partials_[static_cast<std::size_t>(partial)].node == ground_.target(robot_)) {
       Finish(partial);
+      ++done;
     } else {
-      Expand(partial);
+      done += Expand(partial);
     }
   }
   return done;
@@ -73,7 +74,7 @@ std::vector<FleetNodeId> RouteSearch::NodesOf(std::int64_t partial) const {
   return nodes;
 }
 
-void RouteSearch::Expand(std::int64_t partial) {
+std::int64_t RouteSearch::Expand(std::int64_t partial) {
   const std::vector<FleetNodeId> nodes = NodesOf(partial);
   const double length = partials_[static_cast<std::size_t>(partial)].length;
   for (const FleetSight::Leg& leg : sight_.From(nodes.back())) {
@@ -82,6 +83,7 @@ void RouteSearch::Expand(std::int64_t partial) {
     open_.emplace(BoundOf(next), static_cast<std::int64_t>(partials_.size()));
     partials_.push_back(next);
   }
+  return static_cast<std::int64_t>(1 + sight_.From(nodes.back()).size());
 }
 
 bool RouteSearch::CanGoOn(const std::vector<FleetNodeId>& nodes, FleetNodeId to) const {

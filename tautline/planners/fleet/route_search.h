@@ -2,7 +2,8 @@
 #ifndef TAUTLINE_PLANNERS_FLEET_ROUTE_SEARCH_H_
 #define TAUTLINE_PLANNERS_FLEET_ROUTE_SEARCH_H_
 
-#include <map>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -50,8 +51,8 @@ class RouteSearch {
   /// Lines up to `limit` metres. `sight` is that of the ground; both must outlive the search. O(1).
   RouteSearch(const FleetGround& ground, FleetSight& sight, RobotId robot, double limit);
 
-  /// Goes on until every line of up to `length` metres is in candidates(), or until `steps` more partial lines were
-  /// looked at. Returns how many were. O(legs at the node + bends^2) for each.
+  /// Goes on until every line of up to `length` metres is in candidates(), or until about `steps` more legs were
+  /// looked at. Returns how many were. O(bends) for each.
   std::int64_t Extend(double length, std::int64_t steps);
 
   /// Those found so far, the shortest first.
@@ -69,7 +70,7 @@ class RouteSearch {
 
   double BoundOf(const Partial& partial) const;
   std::vector<FleetNodeId> NodesOf(std::int64_t partial) const;
-  void Expand(std::int64_t partial);
+  std::int64_t Expand(std::int64_t partial);
   void Finish(std::int64_t partial);
   bool CanGoOn(const std::vector<FleetNodeId>& nodes, FleetNodeId to) const;
 
