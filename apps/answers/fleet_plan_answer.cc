@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tautline/homotopy/taut_path.h"
 #include "tautline/planners/fleet/check_layout.h"
 #include "tautline/scene/number_text.h"
 
@@ -231,6 +232,85 @@ void RefusePlan(const FleetPlanFault& fault, FleetPlanAnswer& answer) {
   }
 }
 
+/// The parts of a scene that a fleet's plan depends on, as a scene file has them.
+Json SceneJson(const Scene& scene) {
+  Json json;
+  const World& world = scene.world;
+  if (!world.outline.empty()) json["world"]["outline"] = PointsJson(world.outline);
+  for (const Obstacle& obstacle : world.obstacles) {
+    Json& entry = json["world"]["obstacles"].emplace_back();
+    if (!obstacle.name.empty()) entry["name"] = obstacle.name;
+    if (obstacle.polygon) entry["polygon"] = PointsJson(obstacle.polygon->outer);
+    if (obstacle.circle)
+      entry["circle"] = {obstacle.circle->centre.x, obstacle.circle->centre.y, obstacle.circle->radius};
+  }
+  if (!world.outline.empty() && world.clearance > 0) json["world"]["clearance"] = world.clearance;
+  for (const FleetRobot& robot : scene.fleet->robots) {
+    Json& entry = json["fleet"]["robots"].emplace_back();
+    entry["name"] = robot.name;
+    entry["start"] = PointJson(robot.start);
+    entry["target"] = PointJson(robot.target);
+    if (robot.cable) entry["cable"] = PointsJson(*robot.cable);
+    entry["speed"] = robot.speed;
+    entry["radius"] = robot.radius;
+    if (robot.tether) entry["tether"] = *robot.tether;
+  }
+  return json;
+}
+
+/// Throws FleetPlanContradicted.
+[[noreturn]] void Contradict(const Scene& scene, const FleetPlanAnswer& answer, const std::string& what) {
+  throw FleetPlanContradicted("the playback of a plan " + what,
+                              {{"scene", SceneJson(scene)}, {"plan", answer.json}, {"what", what}});
+}
+
+/// Plays the plan, and tells how long the cables must be for it.
+void PlayBack(const Scene& scene, const FleetPlanQuestion& question, FleetPlanAnswer& answer) {
+  const FleetPlan& plan = *answer.plan;
+  PlaybackOptions options = question.playback;
+  options.watch = question.options.watch;
+  auto played = Play(answer.setup.ground, answer.layout(), plan.schedule, PassingsToKeep(plan), options);
+  if (!played) {
+    Contradict(scene, answer,
+               "has " + answer.setup.name(played.error().a) + " meet " + answer.setup.name(played.error().b) + " at " +
+                   ToText(played.error().at));
+  }
+  if (!played->differing.empty()) {
+    Contradict(scene, answer, "brings about another cable line of " + answer.setup.name(played->differing.front()));
+  }
+  if (!played->matches()) Contradict(scene, answer, "breaks an order, or its words do not agree");
+  answer.json["longest_tethers"] = Json::array();
+  for (std::size_t i = 0; i < played->longest.size(); ++i) {
+    Json& entry = answer.json["longest_tethers"].emplace_back();
+    entry["robot"] = answer.setup.name(RobotId(i));
+    entry["length"] = played->longest[i].length;
+    entry["t"] = played->longest[i].t;
+  }
+  answer.played = *std::move(played);
+}
+
+/// Refuses a plan for which a cable is too short.
+void CheckTethers(FleetPlanAnswer& answer) {
+  for (std::size_t i = 0; i < answer.played->longest.size(); ++i) {
+    const FleetRobot& robot = answer.setup.ground.robots()[i];
+    const LongestTether& longest = answer.played->longest[i];
+    if (!robot.tether || longest.length <= *robot.tether * (1 + kLengthTolerance)) continue;
+    Json json{{"command", "fleet plan"}};
+    std::swap(json, answer.json);
+    Refuse("tether_too_short",
+           "the cable of " + robot.name + " must be " + Metres(longest.length) + " long at " + ShortNumber(longest.t) +
+               " s, and it is " + Metres(*robot.tether) +
+               ": give it a longer one, or let the robots drive in another mode",
+           answer);
+    answer.json["robot"] = robot.name;
+    answer.json["needed"] = longest.length;
+    answer.json["limit"] = *robot.tether;
+    answer.json["t"] = longest.t;
+    answer.plan.reset();
+    return;
+  }
+}
+
 }  // namespace
 
 Expected<FleetPlanAnswer> AnswerFleetPlan(const Scene& scene, const FleetPlanQuestion& question) {
@@ -260,6 +340,12 @@ Expected<FleetPlanAnswer> AnswerFleetPlan(const Scene& scene, const FleetPlanQue
   if (plan) {
     answer.plan = *std::move(plan);
     PlanJson(answer.setup, *answer.plan).Add(answer.json);
+    try {
+      PlayBack(scene, question, answer);
+    } catch (const Stopped&) {
+      return tl::unexpected(Error{ErrorCode::kStopped, "stopped while the plan was played back", ""});
+    }
+    CheckTethers(answer);
   } else if (plan.error().obstruction == FleetPlanObstruction::kStopped) {
     return tl::unexpected(Error{ErrorCode::kStopped, "stopped before there was a plan", ""});
   } else {

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <stdexcept>
 
 #include "apps/answers/fleet_plan_answer.h"
 #include "apps/cli/common_options.h"
 #include "apps/cli/describe.h"
 #include "apps/cli/fleet_commands.h"
 #include "apps/cli/option_checks.h"
+#include "apps/cli/output_file.h"
 #include "apps/cli/progress_bar.h"
 #include "apps/pictures/fleet_pictures.h"
 #include "tautline/scene/number_text.h"
@@ -93,6 +96,27 @@ std::string ToText(const FleetPlanAnswer& answer) {
   return text + DescribeOrders(answer) + DescribeWaits(answer) + DescribeModes(plan);
 }
 
+/// Writes what reproduces a contradicted plan to the current folder, and says where.
+[[noreturn]] void Report(const FleetPlanContradicted& fault) {
+  const std::string text = fault.report().dump(1) + "\n";
+  // FNV-1a: names the file by what is in it.
+  std::uint64_t digest = 0xcbf29ce484222325U;
+  for (const char c : text) digest = (digest ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  const std::string path = fmt::format("tautline-fleet-fault-{:016x}.json", digest);
+  OutputFiles files;
+  auto written = files.Add(path, text);
+  if (written) written = files.Commit();
+  throw std::logic_error(fault.what() + (written ? "; " + path + " reproduces it" : "; " + ToString(written.error())));
+}
+
+Expected<FleetPlanAnswer> AnswerOrReport(const Scene& scene, const FleetPlanQuestion& question) {
+  try {
+    return AnswerFleetPlan(scene, question);
+  } catch (const FleetPlanContradicted& fault) {
+    Report(fault);
+  }
+}
+
 Expected<int> RunFleetPlan(const FleetPlanCommand& command) {
   const auto scene = ReadScene(command.common);
   if (!scene) return tl::unexpected(scene.error());
@@ -102,7 +126,7 @@ Expected<int> RunFleetPlan(const FleetPlanCommand& command) {
   question.options.speeds = command.speeds;
   if (command.gap >= 0) question.options.gap = command.gap;
   question.options.watch = progress.watcher();
-  const auto answer = AnswerFleetPlan(*scene, question);
+  const auto answer = AnswerOrReport(*scene, question);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
   const auto draw = [&] { return DrawAnswer(*scene, *answer); };

@@ -84,7 +84,7 @@ std::string AnimateAnswer(const Scene& scene, const FleetPlanAnswer& answer, con
   if (!answer.plan) return DrawAnswer(scene, answer);
   const FleetGround& ground = answer.setup.ground;
   const FleetPlan& plan = *answer.plan;
-  const auto playback = Play(ground, answer.layout(), plan.schedule, DrivenPassings(plan),
+  const auto playback = Play(ground, answer.layout(), plan.schedule, PassingsToKeep(plan),
                              {.frames = FilmFrames(ground.size()), .words_up_to = 0, .watch = watch});
   if (!playback) return DrawAnswer(scene, answer);
   return AnimateFleet(scene, ground, {.layout = answer.layout(), .plan = plan, .frames = playback->frames});

@@ -86,7 +86,7 @@ void DrawPaths(MapDrawing& map, const FleetGround& ground, const FleetPlan& plan
     style.arrows = ground.size() <= kMostInGraphs;
     map.Line(OnDetour(plan, i) ? "detour" : "path", plan.schedule[i].path.points, style);
   }
-  const std::vector<Passing> passings = DrivenPassings(plan);
+  const std::vector<Passing> passings = PassingsToKeep(plan);
   const bool named = passings.size() <= kMostNamedCrossings;
   if (passings.size() > kMostDottedCrossings) return;
   map.svg().OpenGroup("crossings");
@@ -127,7 +127,7 @@ struct MapPanels {
 void AddMaps(const MapPanels& panels, const FleetGround& ground, const FleetPlanPicture& picture,
              std::vector<SheetRow>& rows) {
   const FleetPlan& plan = picture.plan;
-  const std::size_t crossings = DrivenPassings(plan).size();
+  const std::size_t crossings = PassingsToKeep(plan).size();
   double lines = 0;
   for (const Route& route : picture.layout) lines += LengthOf(ground, route);
   const int decimals = FleetDecimals(ground);

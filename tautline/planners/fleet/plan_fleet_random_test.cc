@@ -175,16 +175,7 @@ void Compare(const FleetGround& ground, const FleetLayout& layout, Tally& tally)
     for (const bool speeds : {false, true}) {
       const auto motion = PlanFleet(ground, layout, {.mode = mode, .speeds = speeds});
       ASSERT_TRUE(motion);
-      std::vector<Passing> passings;
-      for (const auto* list : {&motion->passings, &motion->detour_passings}) {
-        for (const Passing& passing : *list) {
-          const auto bent = [&](RobotId robot) { return motion->schedule[robot.index()].path.is_cable; };
-          if (list == &motion->detour_passings || (!bent(passing.first) && !bent(passing.second))) {
-            passings.push_back(passing);
-          }
-        }
-      }
-      const auto played = Play(ground, layout, motion->schedule, passings);
+      const auto played = Play(ground, layout, motion->schedule, PassingsToKeep(*motion));
       ASSERT_TRUE(played) << ToString(mode) << " robots " << played.error().a.value() << " and "
                           << played.error().b.value() << " meet";
       ASSERT_TRUE(played->matches()) << ToString(mode) << (speeds ? " speeds" : "") << " differing "
