@@ -15,6 +15,7 @@
 #include "apps/cli/output_file.h"
 #include "apps/cli/progress_bar.h"
 #include "apps/pictures/fleet_pictures.h"
+#include "tautline/draw/draw_fleet.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
@@ -126,6 +127,9 @@ Expected<int> RunFleetPlan(const FleetPlanCommand& command) {
   question.options.speeds = command.speeds;
   if (command.gap >= 0) question.options.gap = command.gap;
   question.options.watch = progress.watcher();
+  if (!command.common.animate.empty() && scene->fleet) {
+    question.playback.frames = FilmFrames(scene->fleet->robots.size());
+  }
   const auto answer = AnswerOrReport(*scene, question);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());

@@ -80,14 +80,10 @@ std::string DrawAnswer(const Scene& scene, const FleetPlanAnswer& answer) {
       {.title = "No plan", .notes = NotesOf({answer.explanation}), .layout = layout ? &*layout : nullptr, .marks = {}});
 }
 
-std::string AnimateAnswer(const Scene& scene, const FleetPlanAnswer& answer, const Watcher& watch) {
-  if (!answer.plan) return DrawAnswer(scene, answer);
-  const FleetGround& ground = answer.setup.ground;
-  const FleetPlan& plan = *answer.plan;
-  const auto playback = Play(ground, answer.layout(), plan.schedule, PassingsToKeep(plan),
-                             {.frames = FilmFrames(ground.size()), .words_up_to = 0, .watch = watch});
-  if (!playback) return DrawAnswer(scene, answer);
-  return AnimateFleet(scene, ground, {.layout = answer.layout(), .plan = plan, .frames = playback->frames});
+std::string AnimateAnswer(const Scene& scene, const FleetPlanAnswer& answer) {
+  if (!answer.plan || !answer.played) return DrawAnswer(scene, answer);
+  return AnimateFleet(scene, answer.setup.ground,
+                      {.layout = answer.layout(), .plan = *answer.plan, .frames = answer.played->frames});
 }
 
 }  // namespace tautline

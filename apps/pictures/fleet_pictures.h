@@ -19,8 +19,9 @@ std::string DrawAnswer(const Scene& scene, const LayoutsAnswer& answer);
 /// The plan; or the layout, where there is none.
 std::string DrawAnswer(const Scene& scene, const FleetPlanAnswer& answer);
 
-/// The plan as a film; where there is none, a picture that stands still. Throws Stopped when `watch` says stop.
-std::string AnimateAnswer(const Scene& scene, const FleetPlanAnswer& answer, const Watcher& watch = {});
+/// The plan as a film; where there is none, a picture that stands still. Requires that the question asked for frames,
+/// see FilmFrames.
+std::string AnimateAnswer(const Scene& scene, const FleetPlanAnswer& answer);
 
 }  // namespace tautline
 
