@@ -10,7 +10,7 @@ Run AddFleet(CLI::App& app) {
   sub->footer(
       "Example:\n  tautline fleet check scenes/fleet.yaml --svg layout.svg\n"
       "`tautline fleet COMMAND --help` tells more.");
-  return AddNested(*sub, {AddFleetCheck, AddFleetLayouts, AddFleetPlan});
+  return AddNested(*sub, {AddFleetCheck, AddFleetLayouts, AddFleetPlan, AddFleetSimulate});
 }
 
 }  // namespace tautline::cli
