@@ -12,6 +12,7 @@
 #include "apps/cli/fleet_commands.h"
 #include "apps/cli/option_checks.h"
 #include "apps/cli/progress_bar.h"
+#include "apps/pictures/fleet_pictures.h"
 #include "tautline/draw/draw_fleet.h"
 #include "tautline/scene/number_text.h"
 
@@ -29,7 +30,8 @@ struct SimulateCommand {
 };
 
 FleetMode ModeOf(const std::string& name) {
-  for (const FleetMode mode : {FleetMode::kStraightSequential, FleetMode::kBentConcurrent, FleetMode::kBentSequential}) {
+  for (const FleetMode mode :
+       {FleetMode::kStraightSequential, FleetMode::kBentConcurrent, FleetMode::kBentSequential}) {
     if (ToString(mode) == name) return mode;
   }
   return FleetMode::kStraightConcurrent;
@@ -39,9 +41,8 @@ std::string ToText(const SimulateAnswer& answer) {
   if (!answer.playback) return fmt::format("It does not come out: {}.\n", answer.explanation);
   const Playback& playback = *answer.playback;
   const FleetGround& ground = answer.setup.ground;
-  std::string text = answer.status == kExitSolved
-                         ? std::string("The layout comes out, and every order is kept.\n")
-                         : fmt::format("It does not come out: {}.\n", answer.explanation);
+  std::string text = answer.status == kExitSolved ? std::string("The layout comes out, and every order is kept.\n")
+                                                  : fmt::format("It does not come out: {}.\n", answer.explanation);
   const std::size_t count = playback.final_routes.size();
   for (std::size_t i = 0; i < std::min(count, kMostListed); ++i) {
     const bool differs = std::binary_search(playback.differing.begin(), playback.differing.end(), RobotId(i));
@@ -59,7 +60,8 @@ std::string ToText(const SimulateAnswer& answer) {
 }
 
 Expected<SimulateQuestion> QuestionOf(const SimulateCommand& command) {
-  SimulateQuestion question{.mode = ModeOf(command.mode), .order = command.order, .plan = {}, .plan_file = command.plan};
+  SimulateQuestion question{
+      .mode = ModeOf(command.mode), .order = command.order, .plan = {}, .plan_file = command.plan};
   if (command.plan.empty()) return question;
   std::ifstream file(command.plan);
   std::ostringstream text;
@@ -79,22 +81,15 @@ Expected<int> RunSimulate(const SimulateCommand& command) {
   if (!question) return tl::unexpected(question.error());
   ProgressBar progress(!command.common.quiet);
   question->watch = progress.watcher();
+  if (!command.common.animate.empty() && scene->fleet) question->frames = FilmFrames(scene->fleet->robots.size());
   const auto answer = AnswerSimulate(*scene, *question);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    const auto& layout = *answer->setup.layout;
-    if (answer->playback) {
-      return DrawSimulate(*scene, answer->setup.ground, {.layout = *layout, .playback = *answer->playback});
-    }
-    return DrawLayout(*scene, answer->setup.ground,
-                      {.title = "It does not come out",
-                       .notes = {answer->explanation},
-                       .layout = layout ? &*layout : nullptr,
-                       .marks = {}});
-  };
-  return Deliver(command.common,
-                 {.json = answer->json, .text = ToText(*answer), .draw = draw, .status = answer->status});
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
+  const auto animate = [&] { return AnimateAnswer(*scene, *answer); };
+  return Deliver(
+      command.common,
+      {.json = answer->json, .text = ToText(*answer), .draw = draw, .animate = animate, .status = answer->status});
 }
 
 }  // namespace
@@ -107,16 +102,19 @@ Run AddFleetSimulate(CLI::App& fleet) {
       sub->add_option("--mode", command->mode, "plan in this mode, and play the plan")
           ->check(CLI::IsMember({"straight-concurrent", "straight-sequential", "bent-concurrent", "bent-sequential"}))
           ->capture_default_str();
-  CLI::Option* order = sub->add_option("--order", command->order,
-                                       "instead: all robots straight, one after the other, in this order")
-                           ->type_name("ROBOT[,ROBOT...]")
-                           ->delimiter(',');
+  CLI::Option* order =
+      sub->add_option("--order", command->order, "instead: all robots straight, one after the other, in this order")
+          ->type_name("ROBOT[,ROBOT...]")
+          ->delimiter(',');
   sub->add_option("--plan", command->plan, "instead: play this result of `fleet plan --json`")
       ->type_name("FILE")
       ->check(FileName())
       ->excludes(mode)
       ->excludes(order);
   order->excludes(mode);
+  sub->add_option("--animate", command->common.animate, "draw the motion to this SVG file, which moves in browsers")
+      ->type_name("FILE")
+      ->check(FileName());
   sub->footer(
       "Example:\n  tautline fleet simulate scenes/fleet.yaml --order r1,r2,r3 --svg wrong.svg\n"
       "Exit status: 0 the layout comes out, 2 bad input, 3 it does not.");

@@ -86,4 +86,29 @@ std::string AnimateAnswer(const Scene& scene, const FleetPlanAnswer& answer) {
                       {.layout = answer.layout(), .plan = *answer.plan, .frames = answer.played->frames});
 }
 
+std::string DrawAnswer(const Scene& scene, const SimulateAnswer& answer) {
+  const auto& layout = *answer.setup.layout;
+  if (answer.playback) {
+    return DrawSimulate(scene, answer.setup.ground, {.layout = *layout, .playback = *answer.playback});
+  }
+  return DrawLayout(scene, answer.setup.ground,
+                    {.title = "It does not come out",
+                     .notes = NotesOf({answer.explanation}),
+                     .layout = layout ? &*layout : nullptr,
+                     .marks = {}});
+}
+
+std::string AnimateAnswer(const Scene& scene, const SimulateAnswer& answer) {
+  if (!answer.playback) return DrawAnswer(scene, answer);
+  FleetPlan motion;
+  motion.schedule = answer.schedule;
+  motion.travel_time = answer.playback->frames.back().t;
+  return AnimateFleet(
+      scene, answer.setup.ground,
+      {.layout = **answer.setup.layout,
+       .plan = motion,
+       .frames = answer.playback->frames,
+       .title = answer.playback->differing.empty() ? "The layout comes out" : "The layout does not come out"});
+}
+
 }  // namespace tautline

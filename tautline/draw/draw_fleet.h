@@ -70,8 +70,9 @@ int FilmFrames(std::size_t robots);
 /// What a film of a plan shows.
 struct FleetFilm {
   const FleetLayout& layout;                 ///< Drawn pale; may be empty.
-  const FleetPlan& plan;                     ///< That is played.
+  const FleetPlan& plan;                     ///< That is played; of a motion without a plan, its schedule and time.
   const std::vector<PlaybackFrame>& frames;  ///< In order of time, at least one.
+  std::string title = {};                    ///< Empty: what the plan takes.
 };
 
 /// A picture that moves in every browser, over and over: robots drive, taut cables bend around those that push them,

@@ -75,6 +75,12 @@ Track TrackOf(const View& view, const std::vector<PlaybackFrame>& frames, std::s
   return track;
 }
 
+/// "3 robots, straight-concurrent: 14 s".
+std::string PlanText(const FleetGround& ground, const FleetPlan& plan) {
+  return std::to_string(ground.size()) + (ground.size() == 1 ? " robot, " : " robots, ") + ToString(plan.mode) + ": " +
+         TimeText(plan.travel_time);
+}
+
 void DrawStill(MapDrawing& map, const FleetGround& ground, const FleetFilm& film) {
   if (ground.size() > kMostInGraphs) return;
   for (const Route& route : film.layout) {
@@ -151,10 +157,8 @@ std::string AnimateFleet(const Scene& scene, const FleetGround& ground, const Fl
   const double width = SheetFrameWidth(1, 1, 1);
   const double height =
       std::clamp((width - 2 * kPadding) / box.size().x * box.size().y + 2 * kPadding, kLowestMap, kTallestMap);
-  SheetContent sheet{.title = std::to_string(ground.size()) + (ground.size() == 1 ? " robot, " : " robots, ") +
-                              ToString(film.plan.mode) + ": " + TimeText(film.plan.travel_time),
-                     .rows = {},
-                     .legend = MarksLegend()};
+  SheetContent sheet{
+      .title = film.title.empty() ? PlanText(ground, film.plan) : film.title, .rows = {}, .legend = MarksLegend()};
   const auto map_panel = [&](SvgWriter& svg, const Box& frame) {
     const Point padding{kPadding, kPadding};
     const View view(box, {frame.low + padding, frame.high - padding});

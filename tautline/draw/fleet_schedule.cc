@@ -33,6 +33,8 @@ std::vector<std::size_t> Shown(const FleetPlan& plan) {
 std::string LabelOf(const FleetPlan& plan, const FleetEvent& event) {
   std::string label;
   const std::size_t straight = plan.passings.size();
+  // A motion that was not planned here has events and no labels.
+  if (straight + plan.detour_passings.size() == 0) return label;
   for (const std::size_t k : event.passings) {
     const Passing& passing = k < straight ? plan.passings[k] : plan.detour_passings[k - straight];
     label += (label.empty() ? "" : ",") + passing.label;
