@@ -96,8 +96,9 @@ std::string DrawLayouts(const Scene& scene, const FleetGround& ground, const Lay
 namespace {
 
 std::string SimulateTitle(const FleetGround& ground, const Playback& playback) {
-  if (!playback.broken.empty()) return "The robots did not keep the order at a crossing";
-  if (playback.differing.empty()) return "The layout came out";
+  if (playback.differing.empty()) {
+    return playback.broken.empty() ? "The layout came out" : "The layout came out, but orders were not kept";
+  }
   const bool one = playback.differing.size() == 1;
   return "The layout did not come out: the cable" + std::string(one ? "" : "s") + " of " +
          NamesText(ground, playback.differing) + (one ? " lies" : " lie") + " differently";
@@ -153,7 +154,10 @@ std::string DrawSimulate(const Scene& scene, const FleetGround& ground, const Si
     for (std::size_t i = 0; i < tracks.size(); ++i) {
       const auto& differing = playback.differing;
       if ((std::find(differing.begin(), differing.end(), RobotId(i)) != differing.end()) != faulty) continue;
-      figure.PixelLine("final-cable", tracks[i], faulty ? kFaultLine : RobotLine(RobotId(i), ground.size()));
+      const LineStyle style = RobotLine(RobotId(i), ground.size());
+      figure.PixelLine("final-cable", tracks[i], faulty ? kFaultLine : style);
+      if (!faulty || differing.size() > kMostExplained) continue;
+      figure.LabelLine(PointsOf(ground, playback.final_routes[i]), "cable of " + ground.robots()[i].name, style.colour);
     }
   }
   for (const BrokenOrder& broken : playback.broken) {
