@@ -13,8 +13,9 @@ constexpr std::size_t kMostNotes = 5;  // Explanations above the map; the JSON h
 /// The first explanations as notes.
 std::vector<std::string> NotesOf(const std::vector<std::string>& explanations) {
   std::vector<std::string> notes;
-  for (std::size_t i = 0; i < std::min(explanations.size(), kMostNotes); ++i)
+  for (std::size_t i = 0; i < std::min(explanations.size(), kMostNotes); ++i) {
     notes.push_back(Sentence(explanations[i]));
+  }
   if (explanations.size() > kMostNotes) {
     notes.push_back("And " + std::to_string(explanations.size() - kMostNotes) + " more.");
   }
@@ -29,8 +30,9 @@ std::vector<LayoutMark> MarksOf(const CheckAnswer& answer) {
   for (const LayoutCrossing& fault : answer.faults.crossings) {
     marks.push_back({fault.crossing.at, setup.name(fault.a) + " and " + setup.name(fault.b) + " cross"});
   }
-  for (const SelfLoop& fault : answer.faults.self_loops)
+  for (const SelfLoop& fault : answer.faults.self_loops) {
     marks.push_back({fault.at, setup.name(fault.robot) + " loops"});
+  }
   for (const EnclosedStart& fault : answer.faults.starts_enclosed) {
     marks.push_back({setup.ground.robot(fault.robot).start, setup.name(fault.by) + " encloses this start"});
   }

@@ -55,9 +55,10 @@ std::string PlanTitle(const FleetGround& ground, const FleetPlan& plan) {
   const std::string robots = ground.size() == 1 ? "One robot" : std::to_string(ground.size()) + " robots";
   std::string title = robots + ", " + ToString(plan.mode) + ": " + TimeText(plan.travel_time) + ", " +
                       LengthText(plan.travel_distance, FleetDecimals(ground)) + " driven";
-  if (!plan.detours.empty())
+  if (!plan.detours.empty()) {
     title += "; " + NamesText(ground, plan.detours) + " must follow " +
              (plan.detours.size() == 1 ? "its cable line" : "their cable lines");
+  }
   return title;
 }
 
@@ -170,15 +171,16 @@ void AddGraphs(const EventGraph& events, const FleetGround& ground, const FleetP
          .draw = [&](SvgWriter& svg, const Box& frame) { events.Draw(svg, frame, ground); },
          .share = 2.2});
   } else {
-    notes.push_back("The graph of events is not drawn: it has too many.");
+    notes.emplace_back("The graph of events is not drawn: it has too many.");
   }
   rows.push_back(std::move(row));
 }
 
 std::vector<LegendEntry> PlanLegend(const FleetPlan& plan, const FleetGround& ground) {
   std::vector<LegendEntry> legend = MarksLegend();
-  if (!plan.passings.empty())
+  if (!plan.passings.empty()) {
     legend.push_back({Marker::kCrossing, "crossing; an arrow leads from the robot that passes first"});
+  }
   if (std::any_of(plan.schedule.begin(), plan.schedule.end(), [](const RobotSchedule& s) { return s.path.is_cable; })) {
     LineStyle line = RobotLine(RobotId(0), ground.size());
     legend.push_back({LineStyle{.colour = line.colour, .width = 2 * line.width}, "robot on its cable line"});

@@ -107,7 +107,7 @@ TEST(DrawFleetPlan, TellsOfDeadlocksAndDetours) {
   EXPECT_THAT(XmlCheck(svg).classes(), Contains("detour"));
   EXPECT_THAT(svg, AllOf(HasSubstr("Pair deadlock of r2 and r3"), HasSubstr("r1 and r2 would wait for each other"),
                          HasSubstr("r3 would make another layout"), HasSubstr("r3 must follow its cable line"),
-                         HasSubstr("with a detour of r3")));
+                         HasSubstr("2.00 m, with a detour")));
 }
 
 TEST(DrawFleetPlan, OfARobotAlone) {

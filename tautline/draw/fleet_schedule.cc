@@ -52,8 +52,9 @@ std::vector<GanttRow> ScheduleRows(const FleetGround& ground, const FleetPlan& p
     for (std::size_t k = 0; k < events.size(); ++k) {
       if (k > 0) row.bars.push_back({events[k - 1].departure, events[k].arrival, false});
       if (events[k].departure > events[k].arrival) row.bars.push_back({events[k].arrival, events[k].departure, true});
-      if (events[k].kind == FleetEventKind::kPassing)
+      if (events[k].kind == FleetEventKind::kPassing) {
         row.marks.push_back({events[k].departure, LabelOf(plan, events[k])});
+      }
     }
     rows.push_back(std::move(row));
   }
