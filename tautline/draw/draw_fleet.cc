@@ -11,6 +11,7 @@ namespace tautline {
 namespace {
 
 constexpr std::size_t kMostExplained = 12;  // Rings with their text on the map.
+constexpr std::size_t kMostRinged = 40;     // With more faults, their places are small circles.
 constexpr std::size_t kMostListed = 12;     // Robots with their own line in the legend.
 constexpr double kPadding = 16;             // Room for symbols on the rim of a small map.
 constexpr double kTargetLineWidth = 6;
@@ -20,6 +21,17 @@ void DrawGivenCables(Figure& figure, const FleetGround& ground) {
   for (std::size_t i = 0; i < ground.size(); ++i) {
     const auto& cable = ground.robots()[i].cable;
     if (cable) figure.Line("cable-line", *cable, RobotLine(RobotId(i), ground.size()));
+  }
+}
+
+/// Rings; of many faults, dots without words.
+void RingFaults(MapDrawing& map, const std::vector<LayoutMark>& marks) {
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (marks.size() <= kMostRinged) {
+      map.Mark(Marker::kRing, marks[i].at, i < kMostExplained ? marks[i].text : "");
+    } else {
+      map.svg().Circle(map.view().ToPixels(marks[i].at), 2.5, {.stroke = kWarningColour, .width = 1.4});
+    }
   }
 }
 
@@ -56,9 +68,7 @@ std::string DrawLayout(const Scene& scene, const FleetGround& ground, const Layo
   } else {
     DrawGivenCables(figure, ground);
   }
-  for (std::size_t i = 0; i < picture.marks.size(); ++i) {
-    figure.Mark(Marker::kRing, picture.marks[i].at, i < kMostExplained ? picture.marks[i].text : "");
-  }
+  RingFaults(figure.map(), picture.marks);
   MarkFleet(figure.map(), ground);
   return figure.Finish();
 }

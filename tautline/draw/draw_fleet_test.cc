@@ -71,6 +71,13 @@ TEST(DrawLayout, OfAWorldHasItsObstacles) {
   EXPECT_THAT(svg, AllOf(HasSubstr("wall or obstacle"), HasSubstr(">block<")));
 }
 
+TEST(DrawLayout, OfManyFaultsExplainsNone) {
+  const Example e = Prepare(TriangleScene());
+  const LayoutPicture picture{
+      .title = "", .notes = {}, .layout = &e.layout, .marks = std::vector<LayoutMark>(50, {{1, 1}, "r1 and r2 cross"})};
+  EXPECT_THAT(DrawLayout(e.scene, e.ground, picture), Not(HasSubstr("r1 and r2 cross")));
+}
+
 TEST(DrawLayouts, AreAtMostTwelve) {
   const Example e = Prepare(TriangleScene());
   const std::vector<const FleetLayout*> layouts(15, &e.layout);
