@@ -128,9 +128,22 @@ class Planner {
           LeastDetours({graph, interactions_.deadlocks, plan_.entangled, DetourCosts()}, options_.detours);
       std::vector<bool> is_straight(ground_.size(), true);
       for (const RobotId robot : detours.robots) is_straight[robot.index()] = false;
-      if (ComesOut(is_straight)) return detours;
+      if (!options_.play || IsKnownToComeOut(is_straight)) return detours;
+      if (ComesOut(is_straight)) {
+        comes_out_ = is_straight;
+        return detours;
+      }
       plan_.entangled.push_back(LeastEntangled(std::move(is_straight)));
     }
+  }
+
+  /// Whether a motion came out in which at least these robots drove straight: robots on a detour entangle nobody.
+  bool IsKnownToComeOut(const std::vector<bool>& is_straight) const {
+    if (comes_out_.empty()) return false;
+    for (std::size_t i = 0; i < is_straight.size(); ++i) {
+      if (is_straight[i] && !comes_out_[i]) return false;
+    }
+    return true;
   }
 
   /// Whether the layout comes out when some robots drive straight and the others along their cable lines. Requires that
@@ -379,6 +392,7 @@ class Planner {
   std::vector<RobotPath> straight_, cables_;
   PairInteractions interactions_;
   Drive concurrent_;
+  std::vector<bool> comes_out_;  ///< The robots that drove straight in a motion that was played and came out.
   FleetPlan plan_;
 };
 

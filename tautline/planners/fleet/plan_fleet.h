@@ -19,7 +19,10 @@ struct FleetPlanOptions {
   /// absent: the sum of their radii. 0: points.
   std::optional<double> gap;
   DetourOptions detours = {};  ///< How long the least detours are searched for.
-  Watcher watch = {};          ///< Told how far the planning has come.
+  /// Whether motions are played to find robots that are entangled, see PlanFleet. Without it, the layout may turn out
+  /// another one where the caller plays the plan.
+  bool play = true;
+  Watcher watch = {};  ///< Told how far the planning has come.
 };
 
 /// Why there is no plan.
