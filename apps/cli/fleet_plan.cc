@@ -14,6 +14,7 @@
 #include "apps/cli/option_checks.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/progress_bar.h"
+#include "apps/pictures/fleet_pictures.h"
 #include "tautline/draw/draw_fleet.h"
 #include "tautline/scene/number_text.h"
 
@@ -132,23 +133,21 @@ Expected<int> RunFleetPlan(const FleetPlanCommand& command) {
   if (command.gap >= 0) question.options.gap = command.gap;
   question.budget = command.budget;
   question.options.watch = progress.watcher();
+  if (!command.common.animate.empty() && scene->fleet) {
+    question.playback.frames = FilmFrames(scene->fleet->robots.size());
+  }
   const auto answer = AnswerOrReport(*scene, question);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    if (answer->plan) {
-      return DrawFleetPlan(*scene, answer->setup.ground, {.layout = answer->layout(), .plan = *answer->plan});
-    }
-    const auto& layout = answer->setup.layout;
-    return DrawLayout(*scene, answer->setup.ground,
-                      {.title = "No plan",
-                       .notes = {answer->explanation},
-                       .layout = layout && *layout ? &**layout : nullptr,
-                       .marks = {}});
-  };
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
+  const auto animate = [&] { return AnimateAnswer(*scene, *answer); };
   const auto csv = [&] { return answer->plan ? FleetPlanCsv(*answer) : std::string(); };
-  return Deliver(command.common,
-                 {.json = answer->json, .text = ToText(*answer), .draw = draw, .csv = csv, .status = answer->status});
+  return Deliver(command.common, {.json = answer->json,
+                                  .text = ToText(*answer),
+                                  .draw = draw,
+                                  .csv = csv,
+                                  .animate = animate,
+                                  .status = answer->status});
 }
 
 }  // namespace
@@ -169,6 +168,9 @@ Run AddFleetPlan(CLI::App& fleet) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   sub->add_option("--csv", command->common.csv, "write the events to this file as a table")
+      ->type_name("FILE")
+      ->check(FileName());
+  sub->add_option("--animate", command->common.animate, "draw the motion to this SVG file, which moves in browsers")
       ->type_name("FILE")
       ->check(FileName());
   sub->footer(
