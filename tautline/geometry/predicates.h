@@ -38,6 +38,10 @@ bool OnSegment(Point a, Point b, Point p);
 /// Whether the open segments ab and cd cross in one point interior to both, exactly.
 bool CrossProperly(Point a, Point b, Point c, Point d);
 
+/// Whether the direction to p lies strictly within the left turn from the direction to a to that to b, all seen from
+/// `apex`, exactly. Requires that a, b and p are not `apex` and that a and b are not in one direction.
+bool WithinTurn(Point apex, Point a, Point b, Point p);
+
 }  // namespace tautline
 
 #endif  // TAUTLINE_GEOMETRY_PREDICATES_H_
