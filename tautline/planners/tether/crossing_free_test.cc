@@ -1,0 +1,241 @@
+#include "tautline/planners/tether/crossing_free.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <queue>
+#include <string>
+#include <vector>
+
+#include "tautline/base/rng.h"
+#include "tautline/base/test_scale.h"
+#include "tautline/geometry/curve_crossing.h"
+#include "tautline/homotopy/random_scene.h"
+#include "tautline/homotopy/sketched_scene.h"
+#include "tautline/planners/tether/random_tether.h"
+#include "tautline/planners/tether/verify_plan.h"
+
+namespace tautline {
+namespace {
+
+PlanResult PlanOf(const TetherPlanner& planner, const Scene& scene, bool crossing_free = true) {
+  return planner.Plan(*scene.tether, *scene.goal, {.crossing_free = crossing_free});
+}
+
+/// Whether the end of a taut tether, moved by a little, passes over the base: where the two curves part, they enclose
+/// it.
+bool SweepsBase(const Polyline& before, const Polyline& after) {
+  std::size_t n = 0;
+  while (n < before.size() && n < after.size() && before[n] == after[n]) ++n;
+  if (n < 2) return false;
+  Ring loop(before.begin() + static_cast<std::ptrdiff_t>(n) - 1, before.end());
+  loop.insert(loop.end(), after.rbegin(), after.rend() - static_cast<std::ptrdiff_t>(n));
+  const Winding winding = WindingNumber(loop, before[0]);
+  return !winding.on_boundary && winding.number != 0;
+}
+
+/// Drives straight on in small steps and looks at the taut tether at each: whether it crosses itself anywhere, or is
+/// too long.
+struct Simulation {
+  const TetherPlanner& planner;
+  const LaidCable& laid;
+  double limit;
+  int steps;
+
+  bool Drive(Walk& walk, Polyline& tether, Point to) const {
+    const Point from = walk.at;
+    for (int k = 1; k <= steps; ++k) {
+      std::optional<Walk> moved = walk;
+      const Point leg[] = {k == steps ? to : Lerp(from, to, static_cast<double>(k) / steps)};
+      if (planner.space().Follow(leg, moved)) return false;
+      walk = *moved;
+      const TautPath now = planner.TetherAlong(laid.socket, walk);
+      if (now.length > limit * (1 + kLengthTolerance) || FindCurveCrossing(now.points)) return false;
+      if (SweepsBase(tether, now.points)) return false;
+      tether = now.points;
+    }
+    return true;
+  }
+};
+
+/// Whether the motion, driven in small steps, nowhere crosses.
+bool DrivesFreely(const TetherPlanner& planner, const Scene& scene, const Polyline& path, int steps) {
+  const LaidCable laid = planner.FollowLaidCable(*scene.tether).value();
+  const Simulation simulation{planner, laid, scene.tether->length, steps};
+  Walk walk = laid.walk;
+  Polyline tether = planner.TetherAlong(laid.socket, walk).points;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (!simulation.Drive(walk, tether, path[i])) return false;
+  }
+  return true;
+}
+
+/// The shortest crossing-free motion by Dijkstra over (node, taut tether): the nodes are the corners of the ground, the
+/// base, the robot and the goal, the edges are lines of sight, each driven in small steps. Infinite where every motion
+/// is longer than `at_most`; nothing when there are too many states.
+std::optional<double> BruteForce(const TetherPlanner& planner, const Scene& scene, const ClassOracle& oracle,
+                                 double at_most) {
+  constexpr std::size_t kMostStates = 400;
+  struct State {
+    double length;
+    std::size_t node;
+    Walk walk;
+    Polyline tether;
+  };
+  const auto later = [](const State& a, const State& b) { return a.length > b.length; };
+  std::priority_queue<State, std::vector<State>, decltype(later)> queue(later);
+  const LaidCable laid = planner.FollowLaidCable(*scene.tether).value();
+  const Simulation simulation{planner, laid, scene.tether->length, 40};
+  const std::vector<std::size_t> goals = oracle.sight().NodesAt(*scene.goal);
+  const std::vector<double> remaining = oracle.DistancesTo(goals);
+  const std::size_t start = oracle.sight().NodesAt(laid.walk.at).at(0);
+  queue.push({0, start, laid.walk, planner.TetherAlong(laid.socket, laid.walk).points});
+  std::map<Polyline, double> settled;
+  while (!queue.empty()) {
+    const State state = queue.top();
+    queue.pop();
+    if (!settled.emplace(state.tether, state.length).second) continue;
+    if (settled.size() > kMostStates) return std::nullopt;
+    if (state.node == goals.at(0)) return state.length;
+    for (const std::size_t next : oracle.NeighboursOf(state.node)) {
+      const Point to = oracle.sight().nodes()[next].point;
+      const double length = state.length + Distance(state.walk.at, to);
+      if (length + remaining[next] > at_most) continue;
+      State moved{length, next, state.walk, state.tether};
+      if (simulation.Drive(moved.walk, moved.tether, to)) queue.push(std::move(moved));
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// A square in the middle, the cable nearly all around it, and the robot on the near side of its first part.
+///
+/// The robot is led around the square to a place beside the base. The goal is on the other side of the cable's first
+/// part: the direct way crosses it.
+SketchedScene Pillar() {
+  return Sketch({".........",  //
+                 ".........",  //
+                 "...www...",  //
+                 "...www...",  //
+                 "...www...",  //
+                 ".R.......",  //
+                 "....B....",  //
+                 ".G......."});
+}
+
+Scene WithLaid(const SketchedScene& sketch, double length, const Polyline& laid, Point goal) {
+  Scene scene;
+  scene.world = sketch.world;
+  scene.tether = Tether{laid.front(), length, laid};
+  scene.goal = goal;
+  return scene;
+}
+
+TEST(CrossingFree, TakesTheShortestMotionWhereNothingCrosses) {
+  const auto sketch = Pillar();
+  const Scene scene = WithLaid(sketch, 30, {sketch['B'], sketch['R']}, sketch['G']);
+  const auto planner = TetherPlanner::Prepare(scene.world).value();
+  const PlanResult result = PlanOf(planner, scene), plain = PlanOf(planner, scene, false);
+  ASSERT_TRUE(result.crossing_free);
+  EXPECT_EQ(result.motion->path.points, plain.motion->path.points);
+  EXPECT_TRUE(result.crossing_free->optimal);
+  EXPECT_EQ(result.crossing_free->classes_examined, 1);
+  EXPECT_EQ(result.crossing_free->bound, result.motion->path.length);
+  EXPECT_FALSE(result.crossing_free->plain);
+  EXPECT_FALSE(plain.crossing_free);
+}
+
+TEST(CrossingFree, DrivesAroundTheBaseWhereTheTetherWouldBePulledOverIt) {
+  // Out to the left, around the pillar clockwise; the goal lies beyond the first part of the cable.
+  const auto sketch = Sketch({".........",  //
+                              ".ww......",  //
+                              ".ww..ww..",  //
+                              ".....ww..",  //
+                              "..R......",  //
+                              "...B.....",  //
+                              "....G....",  //
+                              "........."});
+  const Point b = sketch['B'];
+  const Polyline laid{b, {0.5, 4.5}, {0.5, 7.5}, {7.5, 7.5}, {7.5, 4.5}, {4.5, 3.8}, sketch['R']};
+  for (const double length : {30.0, 9.0}) {
+    const Scene scene = WithLaid(sketch, length, laid, sketch['G']);
+    const auto planner = TetherPlanner::Prepare(scene.world).value();
+    const PlanResult result = PlanOf(planner, scene);
+    if (length < result.start.length) continue;
+    ASSERT_EQ(result.status, PlanStatus::kSolved);
+    EXPECT_TRUE(DrivesFreely(planner, scene, result.motion->path.points, 200));
+    EXPECT_TRUE(result.crossing_free->optimal);
+    ASSERT_TRUE(result.crossing_free->plain);
+    EXPECT_FALSE(DrivesFreely(planner, scene, result.crossing_free->plain->path.points, 200));
+    EXPECT_GE(result.motion->path.length, result.crossing_free->plain->path.length);
+    const Verification verification = VerifyPlan(planner, *scene.tether, *scene.goal, result);
+    EXPECT_TRUE(verification.ok()) << verification.faults[0];
+  }
+}
+
+TEST(CrossingFree, RefusesACableThatCrossesItself) {
+  const auto sketch = Pillar();
+  const Polyline laid{sketch['B'], {7.5, 2}, {7.5, 7.5}, {1, 7.5}, {1.5, 3}, {4.5, 1.2}, {8.5, 2.5}};
+  const Scene scene = WithLaid(sketch, 60, laid, sketch['G']);
+  const auto planner = TetherPlanner::Prepare(scene.world).value();
+  const PlanResult result = PlanOf(planner, scene);
+  EXPECT_EQ(result.status, PlanStatus::kInfeasible);
+  EXPECT_EQ(ToString(result.obstruction), "must_cross");
+  EXPECT_NE(result.explanation.find("crosses itself at ("), std::string::npos);
+  EXPECT_FALSE(result.motion);
+  EXPECT_TRUE(VerifyPlan(planner, *scene.tether, *scene.goal, result).ok());
+  EXPECT_EQ(PlanOf(planner, scene, false).status, PlanStatus::kSolved);
+}
+
+/// A random question with tether to spare.
+Scene RandomQuestion(Rng& rng, const RandomTether& random) {
+  Scene scene = random.scene();
+  scene.tether->length *= rng.Uniform(1, 1.6);
+  return scene;
+}
+
+TEST(CrossingFree, IsWhatBruteForceFinds) {
+  int crossed = 0, around = 0, compared = 0, refused = 0;
+  const std::int64_t count = ScaledTestCount(400);
+  for (std::int64_t seed = 0; seed < count; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(static_cast<std::uint64_t>(seed));
+    const RandomTether random = MakeRandomTether(rng, false);
+    const Scene scene = RandomQuestion(rng, random);
+    const auto planner = TetherPlanner::Prepare(scene.world).value();
+    const PlanResult result = PlanOf(planner, scene);
+    if (result.obstruction == PlanObstruction::kMustCross) {
+      ++refused;
+      EXPECT_TRUE(FindCurveCrossing(result.start.points));
+      continue;
+    }
+    if (result.status != PlanStatus::kSolved) continue;
+    EXPECT_TRUE(result.crossing_free->optimal);
+    const double length = result.motion->path.length;
+    EXPECT_LE(length, result.crossing_free->retreat_length * (1 + 1e-9));
+    const Verification verification = VerifyPlan(planner, *scene.tether, *scene.goal, result);
+    EXPECT_TRUE(verification.ok()) << verification.faults[0];
+    EXPECT_TRUE(DrivesFreely(planner, scene, result.motion->path.points, 100));
+    if (!result.crossing_free->plain) continue;
+    ++crossed;
+    around += result.crossing_free->around_base ? 1 : 0;
+    EXPECT_FALSE(DrivesFreely(planner, scene, result.crossing_free->plain->path.points, 400));
+    const auto brute = BruteForce(planner, scene, random.oracle, length + 1e-6);
+    if (!brute) continue;
+    ++compared;
+    EXPECT_NEAR(*brute, length, 1e-6);
+    ASSERT_FALSE(HasFailure());
+  }
+  std::printf("%d crossed plainly, %d around the base, %d compared, %d refused\n", crossed, around, compared, refused);
+  if (count >= 400) {
+    EXPECT_GT(compared, 10);
+    EXPECT_GT(refused, 10);
+  }
+}
+
+}  // namespace
+}  // namespace tautline
