@@ -178,7 +178,18 @@ class Verifier {
       Fault("the tether on the way is not in the class of the path so far");
     }
     if (tether.length > result_.limit * (1 + kLengthTolerance)) Fault("the tether is too long on the way");
-    if (result_.crossing_free && FindCurveCrossing(tether.points)) Fault("the tether crosses itself on the way");
+    if (result_.crossing_free && !LiesOnItself(tether.points) && FindCurveCrossing(tether.points)) {
+      Fault("the tether crosses itself on the way");
+    }
+  }
+
+  /// Whether the robot is on an earlier part of its cable: then rounding alone tells on which side of it.
+  bool LiesOnItself(const Polyline& tether) const {
+    for (std::size_t i = 0; i + 2 < tether.size(); ++i) {
+      const double distance = DistanceToSegment(tether.back(), tether[i], tether[i + 1]);
+      if (distance <= planner_.space().tolerance()) return true;
+    }
+    return false;
   }
 
   void CheckShortestTether(bool has_stub) {
