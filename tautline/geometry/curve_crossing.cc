@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <utility>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "tautline/geometry/polygon.h"
@@ -60,7 +64,7 @@ class DoubleReading {
 
   /// Whether both part to opposite sides at the two ends of what they share from here on.
   bool Crosses() const {
-    long last = 0;
+    std::ptrdiff_t last = 0;
     while (!Meets(last) && HasFirst(last + 1) && HasSecond(last + 1) && First(last + 1) == Second(last + 1)) ++last;
     if (!HasFirst(-1) || !HasSecond(-1) || !HasFirst(last + 1) || !HasSecond(last + 1) || Meets(last)) return false;
     if (last == 0) return CrossesAtOnce();
@@ -80,15 +84,15 @@ class DoubleReading {
     return WithinTurn(First(0), first[0], first[1], second[0]) != WithinTurn(First(0), first[0], first[1], second[1]);
   }
 
-  bool Has(long k) const { return k >= 0 && k < static_cast<long>(cut_.size()); }
-  long FirstAt(long k) const { return static_cast<long>(i_) + k; }
-  long SecondAt(long k) const { return static_cast<long>(j_) + (forwards_ ? k : -k); }
-  bool HasFirst(long k) const { return Has(FirstAt(k)); }
-  bool HasSecond(long k) const { return Has(SecondAt(k)); }
-  Point First(long k) const { return cut_[static_cast<std::size_t>(FirstAt(k))]; }
-  Point Second(long k) const { return cut_[static_cast<std::size_t>(SecondAt(k))]; }
+  bool Has(std::ptrdiff_t k) const { return k >= 0 && k < static_cast<std::ptrdiff_t>(cut_.size()); }
+  std::ptrdiff_t FirstAt(std::ptrdiff_t k) const { return static_cast<std::ptrdiff_t>(i_) + k; }
+  std::ptrdiff_t SecondAt(std::ptrdiff_t k) const { return static_cast<std::ptrdiff_t>(j_) + (forwards_ ? k : -k); }
+  bool HasFirst(std::ptrdiff_t k) const { return Has(FirstAt(k)); }
+  bool HasSecond(std::ptrdiff_t k) const { return Has(SecondAt(k)); }
+  Point First(std::ptrdiff_t k) const { return cut_[static_cast<std::size_t>(FirstAt(k))]; }
+  Point Second(std::ptrdiff_t k) const { return cut_[static_cast<std::size_t>(SecondAt(k))]; }
   /// Whether the readings have come together in a fold of the curve.
-  bool Meets(long k) const { return !forwards_ && FirstAt(k) >= SecondAt(k); }
+  bool Meets(std::ptrdiff_t k) const { return !forwards_ && FirstAt(k) >= SecondAt(k); }
 
   std::span<const Point> cut_;
   std::size_t i_, j_;

@@ -178,16 +178,20 @@ class Verifier {
       Fault("the tether on the way is not in the class of the path so far");
     }
     if (tether.length > result_.limit * (1 + kLengthTolerance)) Fault("the tether is too long on the way");
-    if (result_.crossing_free && !LiesOnItself(tether.points) && FindCurveCrossing(tether.points)) {
+    if (result_.crossing_free && !TouchesItself(tether.points) && FindCurveCrossing(tether.points)) {
       Fault("the tether crosses itself on the way");
     }
   }
 
-  /// Whether the robot is on an earlier part of its cable: then rounding alone tells on which side of it.
-  bool LiesOnItself(const Polyline& tether) const {
-    for (std::size_t i = 0; i + 2 < tether.size(); ++i) {
-      const double distance = DistanceToSegment(tether.back(), tether[i], tether[i + 1]);
-      if (distance <= planner_.space().tolerance()) return true;
+  /// Whether the free end touches an earlier part of the cable, with the robot, or over the base: then rounding alone
+  /// tells on which side of it.
+  bool TouchesItself(const Polyline& tether) const {
+    const std::size_t n = tether.size();
+    if (n < 3) return false;
+    const double tolerance = planner_.space().tolerance();
+    if (DistanceToSegment(tether[0], tether[n - 2], tether[n - 1]) <= tolerance) return true;
+    for (std::size_t i = 0; i + 2 < n; ++i) {
+      if (DistanceToSegment(tether.back(), tether[i], tether[i + 1]) <= tolerance) return true;
     }
     return false;
   }
