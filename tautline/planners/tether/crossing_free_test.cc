@@ -13,6 +13,7 @@
 #include "tautline/base/rng.h"
 #include "tautline/base/test_scale.h"
 #include "tautline/geometry/curve_crossing.h"
+#include "tautline/geometry/predicates.h"
 #include "tautline/homotopy/random_scene.h"
 #include "tautline/homotopy/sketched_scene.h"
 #include "tautline/planners/tether/random_tether.h"
@@ -50,8 +51,20 @@ bool TouchesItself(const Polyline& tether) {
   return false;
 }
 
+/// Whether a robot that goes straight on from the end of its taut tether drives across an earlier part of it, rather
+/// than along it.
+bool DrivesAcross(const Polyline& tether, Point to) {
+  constexpr double kRounding = 1e-9;
+  for (std::size_t i = 0; i + 2 < tether.size(); ++i) {
+    const Point a = tether[i], b = tether[i + 1];
+    const double off = std::min(DistanceToSegment(tether.back(), a, b), DistanceToSegment(to, a, b));
+    if (off > kRounding && CrossProperly(tether.back(), to, a, b)) return true;
+  }
+  return false;
+}
+
 /// Drives straight on in small steps and looks at the taut tether at each: whether it crosses itself anywhere, or is
-/// too long.
+/// too long, and whether the robot drove across it.
 struct Simulation {
   const TetherPlanner& planner;
   const LaidCable& laid;
@@ -69,7 +82,7 @@ struct Simulation {
       if (now.length > limit * (1 + kLengthTolerance)) return false;
       const bool rounded = k < steps && TouchesItself(now.points);
       if (!rounded && FindCurveCrossing(now.points)) return false;
-      if (SweepsBase(tether, now.points)) return false;
+      if (SweepsBase(tether, now.points) || DrivesAcross(tether, now.points.back())) return false;
       tether = now.points;
     }
     return true;
@@ -197,7 +210,7 @@ TEST(CrossingFree, DrivesAroundTheBaseWhereTheTetherWouldBePulledOverIt) {
   const Verification verification = VerifyPlan(planner, *scene.tether, *scene.goal, result);
   EXPECT_TRUE(verification.ok()) << verification.faults[0];
   PlanResult wrong = result;
-  wrong.motion = wrong.crossing_free->plain;
+  *wrong.motion = *result.crossing_free->plain;
   EXPECT_FALSE(VerifyPlan(planner, *scene.tether, *scene.goal, wrong).ok());
 }
 
