@@ -4,8 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <utility>
-#include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "tautline/geometry/polygon.h"
