@@ -94,6 +94,7 @@ class OptionsReader {
 void ReadPlan(OptionsReader& options, PlanQuestion& question) {
   options.Flag("verify", question.verify);
   options.Flag("all", question.options.all);
+  options.Flag("crossing_free", question.options.crossing_free);
   options.AtLeastOne("count", question.options.max_all);
   options.AtLeastOne("budget", question.options.budget);
 }
@@ -155,7 +156,9 @@ struct CommandOptions {
 
 std::vector<CommandOptions> AllCommands() {
   return {
-      {"plan", {"all", "count", "budget"}, [](OptionsReader& o, AskOptions& asked) { ReadPlan(o, asked.plan); }},
+      {"plan",
+       {"all", "crossing_free", "count", "budget"},
+       [](OptionsReader& o, AskOptions& asked) { ReadPlan(o, asked.plan); }},
       {"reach", {"sheets", "at", "budget"}, [](OptionsReader& o, AskOptions& asked) { ReadReach(o, asked.reach); }},
       {"classes",
        {"from", "to", "max_length", "count", "word", "budget"},

@@ -57,6 +57,8 @@ TEST(Ask, OptionsReachTheCommand) {
   const Json all = Json::parse(AskAbout("plan", kBlock, R"({"all": true, "verify": true})").answer);
   EXPECT_TRUE(all.contains("all"));
   EXPECT_TRUE(all.contains("verified"));
+  const Json free = Json::parse(AskAbout("plan", kBlock, R"({"crossing_free": true})").answer);
+  EXPECT_TRUE(free["crossing_free"]["optimal"]);
 }
 
 TEST(Ask, InfeasibleHasAnAnswerAndStatus3) {
