@@ -1,0 +1,183 @@
+// How a pull runs through the cable.
+#include <algorithm>
+#include <utility>
+
+#include "tautline/cable/cable.h"
+
+namespace tautline {
+namespace {
+
+/// A pull shorter than this share of a link is rounding and ends there.
+constexpr double kSlipShare = 1e-9;
+/// A link that is longer than it should be by no more than this share has come to rest. [Shimada2024, Sec. 5.2]
+constexpr double kRestShare = 1e-3;
+/// Pulls from both ends in turns; what is still too long then is blended with the taut cable.
+constexpr int kMostRounds = 20;
+
+/// Some triangles of a sleeve in a row, both ends included.
+Strand Slice(const Strand& strand, std::size_t first, std::size_t last) {
+  Strand slice(strand.sleeve[first]);
+  slice.sleeve.assign(strand.sleeve.begin() + static_cast<std::ptrdiff_t>(first),
+                      strand.sleeve.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  return slice;
+}
+
+Strand Reversed(const Strand& strand) {
+  Strand reversed(strand.sleeve.back());
+  reversed.sleeve.assign(strand.sleeve.rbegin(), strand.sleeve.rend());
+  return reversed;
+}
+
+}  // namespace
+
+double Cable::PullFromRobot() {
+  const FreeMesh& mesh = space_->mesh();
+  const double link_m = options_.link_length_m;
+  for (std::size_t i = links_.size(); i-- > 1;) {
+    PullTight(mesh, nodes_[i].point, nodes_[i + 1].point, links_[i]);
+    const double excess_m = links_[i].length - link_m;
+    // Friction holds all the rest where it lies.
+    if (excess_m <= kSlipShare * link_m) return 0;
+    SlideFirst(mesh, nodes_[i], nodes_[i + 1], excess_m, links_[i], &links_[i - 1]);
+  }
+  PullTight(mesh, nodes_[0].point, nodes_[1].point, links_[0]);
+  return std::max(0.0, links_[0].length - first_link_m_);
+}
+
+double Cable::PullFromBase() {
+  const FreeMesh& mesh = space_->mesh();
+  for (std::size_t i = 0;; ++i) {
+    PullTight(mesh, nodes_[i].point, nodes_[i + 1].point, links_[i]);
+    const double excess_m = links_[i].length - RestLength(i);
+    if (excess_m <= kSlipShare * options_.link_length_m) return 0;
+    if (i + 1 == links_.size()) return excess_m;
+    SlideSecond(mesh, nodes_[i], nodes_[i + 1], excess_m, links_[i], &links_[i + 1]);
+  }
+}
+
+void Cable::PayOut(double length_m) {
+  first_link_m_ += length_m;
+  while (first_link_m_ > options_.link_length_m * (1 + kSlipShare)) SplitFirstLink();
+}
+
+void Cable::SplitFirstLink() {
+  const FreeMesh& mesh = space_->mesh();
+  StrandCursor cursor(mesh, nodes_[0], nodes_[1], links_[0]);
+  cursor.MoveTo(std::max(0.0, links_[0].length - options_.link_length_m));
+  const Place node = cursor.place();
+  Strand before = Slice(links_[0], 0, cursor.position());
+  Strand after = Slice(links_[0], cursor.position(), links_[0].sleeve.size() - 1);
+  PullTight(mesh, nodes_[0].point, node.point, before);
+  PullTight(mesh, node.point, nodes_[1].point, after);
+  nodes_.insert(nodes_.begin() + 1, node);
+  links_[0] = std::move(before);
+  links_.insert(links_.begin() + 1, std::move(after));
+  first_link_m_ -= options_.link_length_m;
+}
+
+void Cable::DropPulledIn() {
+  while (first_link_m_ <= 0 && links_.size() > 1) {
+    Join(links_[0], links_[1]);
+    links_.erase(links_.begin() + 1);
+    nodes_.erase(nodes_.begin() + 1);
+    first_link_m_ += options_.link_length_m;
+  }
+  first_link_m_ = std::max(0.0, first_link_m_);
+}
+
+void Cable::Relax() {
+  const double rest_m = kRestShare * options_.link_length_m;
+  for (int round = 0; round < kMostRounds; ++round) {
+    if (PullFromBase() <= rest_m || PullFromRobot() <= rest_m) return;
+  }
+  const Walk walk = ClassWalk();
+  BlendWith(StrandOf(walk, PullTaut(space_->mesh(), walk)));
+}
+
+/// Distances between nodes are convex along the motion that takes each node straight, in its class, to its place on the
+/// taut cable, where no link is too long. So some share of that motion mends every link.
+void Cable::BlendWith(const Strand& taut) {
+  const FreeMesh& mesh = space_->mesh();
+  const double shrink = std::min(1.0, taut.length / paid_out_m());
+  std::vector<double> at_m;
+  double share = 0, sum_m = 0;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const double rest_m = RestLength(i), excess_m = links_[i].length - rest_m;
+    if (excess_m > 0) share = std::max(share, excess_m / (links_[i].length - rest_m * shrink));
+    sum_m += rest_m * shrink;
+    if (i + 1 < links_.size()) at_m.push_back(sum_m);
+  }
+  Cable straight = *this;
+  straight.CutAt(taut, at_m);
+  Strand way(nodes_[0].triangle);
+  std::vector<Strand> ways;
+  for (std::size_t i = 0; i + 1 < links_.size(); ++i) {
+    // From node i + 1 back to node i, over to the taut cable and along it.
+    Strand next = Reversed(links_[i]);
+    Join(next, way);
+    Join(next, straight.links_[i]);
+    way = next;
+    PullTight(mesh, nodes_[i + 1].point, straight.nodes_[i + 1].point, way);
+    ways.push_back(way);
+  }
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    SlideBoth(i + 1, straight.nodes_[i + 1], std::min(1.0, share) * ways[i].length, ways[i]);
+  }
+  for (std::size_t i = 0; i < links_.size(); ++i) PullTight(mesh, nodes_[i].point, nodes_[i + 1].point, links_[i]);
+}
+
+void Cable::SlideBoth(std::size_t node, Place target, double by_m, const Strand& way) {
+  StrandCursor cursor(space_->mesh(), nodes_[node], target, way);
+  cursor.MoveTo(by_m);
+  for (std::size_t k = 0; k <= cursor.position(); ++k) {
+    links_[node - 1].StepSecond(way.sleeve[k]);
+    links_[node].StepFirst(way.sleeve[k]);
+  }
+  nodes_[node] = cursor.place();
+}
+
+/// Replaces the chain by the taut strand between its ends, with nodes at these arc lengths.
+void Cable::CutAt(const Strand& taut, std::span<const double> at_m) {
+  const FreeMesh& mesh = space_->mesh();
+  const Place base = nodes_.front(), robot = nodes_.back();
+  nodes_ = {base};
+  links_.clear();
+  StrandCursor cursor(mesh, base, robot, taut);
+  std::size_t begun = 0;
+  const auto end_link = [&](const Place& node, std::size_t position) {
+    links_.push_back(Slice(taut, begun, position));
+    PullTight(mesh, nodes_.back().point, node.point, links_.back());
+    nodes_.push_back(node);
+    begun = position;
+  };
+  for (const double s : at_m) {
+    cursor.MoveTo(s);
+    end_link(cursor.place(), cursor.position());
+  }
+  end_link(robot, taut.sleeve.size() - 1);
+}
+
+double Cable::Retract(double length_m) {
+  const double before_m = paid_out_m(), wanted_m = std::max(0.0, before_m - std::max(0.0, length_m));
+  if (TautLength() >= wanted_m) {
+    RetractAll();
+  } else {
+    first_link_m_ -= before_m - wanted_m;
+    DropPulledIn();
+    Relax();
+  }
+  return before_m - paid_out_m();
+}
+
+void Cable::RetractAll() {
+  const Walk walk = ClassWalk();
+  const Strand taut = StrandOf(walk, PullTaut(space_->mesh(), walk));
+  const double link_m = options_.link_length_m;
+  const double full_links = std::max(0.0, std::ceil(taut.length / link_m * (1 - kSlipShare)) - 1);
+  first_link_m_ = taut.length - full_links * link_m;
+  std::vector<double> at_m;
+  for (double i = 0; i < full_links; ++i) at_m.push_back(first_link_m_ + i * link_m);
+  CutAt(taut, at_m);
+}
+
+}  // namespace tautline
