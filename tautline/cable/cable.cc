@@ -76,7 +76,9 @@ Expected<Cable> Cable::Lay(const TautSpace& space, std::span<const Point> polyli
     passed_m += piece;
   }
   cable->EndLinkAt(*link);
-  if (options.reel == Reel::kRetracting) cable->RetractAll();
+  if (options.reel == Reel::kRetracting) cable->LayTaut();
+  StepResult unused;
+  cable->FindContacts(unused);
   return cable;
 }
 
@@ -103,7 +105,7 @@ StepResult Cable::Step(Point to, double dt_s) {
   for (const TriangleId step : way->sleeve.triangles()) links_.back().StepSecond(step);
   nodes_.back() = {way->at, way->sleeve.back()};
   if (options_.reel == Reel::kRetracting) {
-    RetractAll();
+    LayTaut();
   } else if (const double pull_m = PullFromRobot(); pull_m > 0) {
     const double given_m = std::min(pull_m, std::max(0.0, options_.length_m - paid_out_m()));
     PayOut(given_m);

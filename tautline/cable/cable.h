@@ -82,8 +82,9 @@ class Cable {
   /// stands. Says how much came in. O(nodes).
   double Retract(double length_m);
 
-  /// The reel pulls in all that it can: the cable lies taut. O(triangles along the cable and nodes).
-  void RetractAll();
+  /// The reel pulls in all that it can: the cable lies taut. Says how much came in. O(triangles along the cable and
+  /// nodes).
+  double RetractAll() { return Retract(paid_out_m()); }
 
   /// The nodes from base to robot, each with a triangle that holds it.
   std::span<const Place> nodes() const { return nodes_; }
@@ -131,6 +132,7 @@ class Cable {
   void SplitFirstLink();
   void DropPulledIn();
   void Relax();
+  void LayTaut();
   void BlendWith(const Strand& taut);
   void SlideBoth(std::size_t node, Place target, double by_m, const Strand& way);
   void CutAt(const Strand& taut, std::span<const double> at_m);

@@ -160,16 +160,18 @@ void Cable::CutAt(const Strand& taut, std::span<const double> at_m) {
 double Cable::Retract(double length_m) {
   const double before_m = paid_out_m(), wanted_m = std::max(0.0, before_m - std::max(0.0, length_m));
   if (TautLength() >= wanted_m) {
-    RetractAll();
+    LayTaut();
   } else {
     first_link_m_ -= before_m - wanted_m;
     DropPulledIn();
     Relax();
   }
+  StepResult unused;
+  FindContacts(unused);
   return before_m - paid_out_m();
 }
 
-void Cable::RetractAll() {
+void Cable::LayTaut() {
   const Walk walk = ClassWalk();
   const Strand taut = StrandOf(walk, PullTaut(space_->mesh(), walk));
   const double link_m = options_.link_length_m;

@@ -83,8 +83,8 @@ TEST(Cable, TellsOfCornersThatHoldIt) {
   DriveTo(cable, {2.5, 3.5});
   EXPECT_TRUE(cable.contacts().empty());
   DriveTo(cable, {4.5, 3.5});
-  const StepResult end = DriveTo(cable, {4.5, 1.5});
-  EXPECT_EQ(end.outcome, StepOutcome::kMoved);
+  const StepResult end = DriveTo(cable, {4.5, 0.5});
+  EXPECT_EQ(end.outcome, StepOutcome::kHeld);
   EXPECT_TRUE(end.touches_obstacle);
   EXPECT_FALSE(end.touches_robot);
   ASSERT_GE(cable.contacts().size(), 1U);

@@ -99,7 +99,7 @@ Point MoveInto(const FreeMesh& mesh, TriangleId triangle, Point p) {
   return std::min({a, b, c}, [p](Point u, Point v) { return Distance(p, u) < Distance(p, v); });
 }
 
-bool StrandCursor::HasPassed(std::size_t portal, Point p) {
+bool StrandCursor::HasPassed(std::size_t portal, double share) {
   const Portal sides = PortalBetween(mesh_, strand_.sleeve[portal], strand_.sleeve[portal + 1]);
   const Point right = mesh_.point(sides.right), left = mesh_.point(sides.left);
   // The portals that end in a knot follow each other, and the curve crosses all of them there, perhaps through more
@@ -110,7 +110,13 @@ bool StrandCursor::HasPassed(std::size_t portal, Point p) {
   }
   at_knot_ = at_knot_ || right == Knot(knot_) || left == Knot(knot_);
   if (at_knot_ || knot_ != bends_passed_ + 1) return knot_ <= bends_passed_;
-  return Orientation(right, left, p) < 0;
+  // Where the straight piece crosses the portal. Along a portal, or nearly so, rounding puts that anywhere on it, and
+  // then both triangles are right for what lies beside it.
+  const Point along = Knot(knot_) - from_;
+  const double from_right = Cross(right - from_, along), from_left = Cross(along, left - from_);
+  const double sum = from_right + from_left;
+  const Point crossing = sum > 0 ? Lerp(right, left, std::clamp(from_right / sum, 0.0, 1.0)) : right;
+  return Dot(crossing - from_, along) < share * Dot(along, along);
 }
 
 void StrandCursor::MoveTo(double s) {
@@ -127,10 +133,9 @@ void StrandCursor::MoveTo(double s) {
     piece = Distance(from_, Knot(bends_passed_ + 1));
   }
   const double share = piece > 0 ? std::clamp((s - passed_m_) / piece, 0.0, 1.0) : 0;
-  const Point p = Lerp(from_, Knot(bends_passed_ + 1), share);
-  while (position_ + 1 < strand_.sleeve.size() && HasPassed(position_, p)) ++position_;
+  while (position_ + 1 < strand_.sleeve.size() && HasPassed(position_, share)) ++position_;
   const TriangleId triangle = strand_.sleeve[position_];
-  place_ = {MoveInto(mesh_, triangle, p), triangle};
+  place_ = {MoveInto(mesh_, triangle, Lerp(from_, Knot(bends_passed_ + 1), share)), triangle};
 }
 
 void SlideFirst(const FreeMesh& mesh, Place& first, Place second, double by, Strand& strand, Strand* before) {

@@ -62,7 +62,7 @@ class StrandCursor {
   Point Knot(std::size_t i) const {
     return i == 0 ? first_ : i <= strand_.bends.size() ? strand_.bends[i - 1].point : second_.point;
   }
-  bool HasPassed(std::size_t portal, Point p);
+  bool HasPassed(std::size_t portal, double share);
 
   const FreeMesh& mesh_;
   const Strand& strand_;

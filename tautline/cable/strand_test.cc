@@ -82,6 +82,30 @@ TEST(Strand, CutsIntoPiecesOfTheSameCurve) {
   EXPECT_GT(bent, trials / 20);
 }
 
+TEST(StrandCursor, GoesOnWhereItStands) {
+  const std::int64_t trials = ScaledTestCount(400);
+  for (std::int64_t seed = 0; seed < trials; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(static_cast<std::uint64_t>(seed));
+    const RandomScene scene = MakeRandomScene(rng);
+    const TautSpace space(scene.space);
+    const auto made = MakeRandomStrand(rng, scene, space);
+    if (!made) continue;
+    StrandCursor cursor(space.mesh(), made->first, made->second, made->strand);
+    for (double s = 0; s < made->strand.length; s += 0.1) {
+      cursor.MoveTo(s);
+      StrandCursor fresh(space.mesh(), made->first, made->second, made->strand);
+      fresh.MoveTo(s);
+      EXPECT_NEAR(Distance(cursor.place().point, fresh.place().point), 0, 1e-9) << s;
+      Strand passed(made->first.triangle);
+      for (std::size_t k = 0; k <= cursor.position(); ++k) passed.StepSecond(made->strand.sleeve[k]);
+      PullTight(space.mesh(), made->first.point, cursor.place().point, passed);
+      EXPECT_NEAR(passed.length, s, 1e-9);
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
 TEST(MoveInto, PutsAPointIntoItsTriangle) {
   Rng rng(1);
   const RandomScene scene = MakeRandomScene(rng, false);
