@@ -133,8 +133,9 @@ class Cable {
   void DropPulledIn();
   void Relax();
   void LayTaut();
+  void SpreadFromBase(double excess_m);
   void BlendWith(const Strand& taut);
-  void SlideBoth(std::size_t node, Place target, double by_m, const Strand& way);
+  void SlideNode(std::size_t node, Place target, double by_m, Strand& way);
   void CutAt(const Strand& taut, std::span<const double> at_m);
 
   // Touching: cable_contacts.cc.

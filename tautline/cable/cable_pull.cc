@@ -11,8 +11,9 @@ namespace {
 constexpr double kSlipShare = 1e-9;
 /// A link that is longer than it should be by no more than this share has come to rest. [Shimada2024, Sec. 5.2]
 constexpr double kRestShare = 1e-3;
-/// Pulls from both ends in turns; what is still too long then is blended with the taut cable.
-constexpr int kMostRounds = 20;
+/// So often both ends pull in turns. Each further round leaves some 85 % of what is too long still, where the cable is
+/// nearly taut, so that the rest is better mended at once.
+constexpr int kRounds = 1;
 
 /// Some triangles of a sleeve in a row, both ends included.
 Strand Slice(const Strand& strand, std::size_t first, std::size_t last) {
@@ -20,12 +21,6 @@ Strand Slice(const Strand& strand, std::size_t first, std::size_t last) {
   slice.sleeve.assign(strand.sleeve.begin() + static_cast<std::ptrdiff_t>(first),
                       strand.sleeve.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   return slice;
-}
-
-Strand Reversed(const Strand& strand) {
-  Strand reversed(strand.sleeve.back());
-  reversed.sleeve.assign(strand.sleeve.rbegin(), strand.sleeve.rend());
-  return reversed;
 }
 
 }  // namespace
@@ -87,11 +82,28 @@ void Cable::DropPulledIn() {
 
 void Cable::Relax() {
   const double rest_m = kRestShare * options_.link_length_m;
-  for (int round = 0; round < kMostRounds; ++round) {
-    if (PullFromBase() <= rest_m || PullFromRobot() <= rest_m) return;
+  double excess_m = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    if (PullFromBase() <= rest_m) return;
+    excess_m = PullFromRobot();
+    if (excess_m <= rest_m) return;
   }
+  SpreadFromBase(excess_m);
   const Walk walk = ClassWalk();
   BlendWith(StrandOf(walk, PullTaut(space_->mesh(), walk)));
+}
+
+/// Shares what the first link is too long by evenly among all links: node i of n slides towards the base by (n - i) / n
+/// of it, so that no link grows by more than an n-th.
+void Cable::SpreadFromBase(double excess_m) {
+  const FreeMesh& mesh = space_->mesh();
+  const std::size_t n = links_.size();
+  for (std::size_t i = 1; i < n; ++i) {
+    PullTight(mesh, nodes_[i - 1].point, nodes_[i].point, links_[i - 1]);
+    const double by_m = excess_m * static_cast<double>(n - i) / static_cast<double>(n);
+    SlideSecond(mesh, nodes_[i - 1], nodes_[i], std::min(by_m, links_[i - 1].length), links_[i - 1], &links_[i]);
+  }
+  PullTight(mesh, nodes_[n - 1].point, nodes_[n].point, links_[n - 1]);
 }
 
 /// Distances between nodes are convex along the motion that takes each node straight, in its class, to its place on the
@@ -99,40 +111,39 @@ void Cable::Relax() {
 void Cable::BlendWith(const Strand& taut) {
   const FreeMesh& mesh = space_->mesh();
   const double shrink = std::min(1.0, taut.length / paid_out_m());
-  std::vector<double> at_m;
-  double share = 0, sum_m = 0;
+  double share = 0;
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const double rest_m = RestLength(i), excess_m = links_[i].length - rest_m;
     if (excess_m > 0) share = std::max(share, excess_m / (links_[i].length - rest_m * shrink));
-    sum_m += rest_m * shrink;
-    if (i + 1 < links_.size()) at_m.push_back(sum_m);
   }
-  Cable straight = *this;
-  straight.CutAt(taut, at_m);
-  Strand way(nodes_[0].triangle);
-  std::vector<Strand> ways;
-  for (std::size_t i = 0; i + 1 < links_.size(); ++i) {
-    // From node i + 1 back to node i, over to the taut cable and along it.
-    Strand next = Reversed(links_[i]);
-    Join(next, way);
-    Join(next, straight.links_[i]);
-    way = next;
-    PullTight(mesh, nodes_[i + 1].point, straight.nodes_[i + 1].point, way);
-    ways.push_back(way);
+  StrandCursor target(mesh, nodes_.front(), nodes_.back(), taut);
+  Strand way(nodes_[0].triangle), last_way = way;
+  double target_m = 0;
+  for (std::size_t i = 1; i < links_.size(); ++i) {
+    // From this node back to the one before it, over to the taut cable and along that.
+    std::swap(way, last_way);
+    way.sleeve.assign(links_[i - 1].sleeve.rbegin(), links_[i - 1].sleeve.rend());
+    Join(way, last_way);
+    const std::size_t begin = target.position();
+    target.MoveTo(target_m += RestLength(i - 1) * shrink);
+    for (std::size_t k = begin; k <= target.position(); ++k) way.StepSecond(taut.sleeve[k]);
+    PullTight(mesh, nodes_[i].point, target.place().point, way);
+    SlideNode(i, target.place(), std::min(1.0, share) * way.length, way);
+    PullTight(mesh, nodes_[i - 1].point, nodes_[i].point, links_[i - 1]);
   }
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    SlideBoth(i + 1, straight.nodes_[i + 1], std::min(1.0, share) * ways[i].length, ways[i]);
-  }
-  for (std::size_t i = 0; i < links_.size(); ++i) PullTight(mesh, nodes_[i].point, nodes_[i + 1].point, links_[i]);
+  PullTight(mesh, nodes_[links_.size() - 1].point, nodes_.back().point, links_.back());
 }
 
-void Cable::SlideBoth(std::size_t node, Place target, double by_m, const Strand& way) {
+/// A node slides along a way to somewhere, and both of its links follow. The way is what is left of it, and out of
+/// date.
+void Cable::SlideNode(std::size_t node, Place target, double by_m, Strand& way) {
   StrandCursor cursor(space_->mesh(), nodes_[node], target, way);
   cursor.MoveTo(by_m);
-  for (std::size_t k = 0; k <= cursor.position(); ++k) {
+  for (std::size_t k = 1; k <= cursor.position(); ++k) {
     links_[node - 1].StepSecond(way.sleeve[k]);
     links_[node].StepFirst(way.sleeve[k]);
   }
+  way.sleeve.erase(way.sleeve.begin(), way.sleeve.begin() + static_cast<std::ptrdiff_t>(cursor.position()));
   nodes_[node] = cursor.place();
 }
 
