@@ -65,7 +65,7 @@ Expected<Cable> Cable::Lay(const TautSpace& space, std::span<const Point> polyli
     const double piece = Distance(polyline[i - 1], polyline[i]);
     for (; next_m <= passed_m + piece && cable->links_.size() < full_links; next_m += options.link_length_m) {
       const Point node = Lerp(polyline[i - 1], polyline[i], piece > 0 ? (next_m - passed_m) / piece : 0);
-      if (space.Follow(std::span(&node, 1), link)) return InvalidInput("the laid cable leaves the free space", "cable");
+      if (space.Follow(std::span<const Point>(&node, 1), link)) return InvalidInput("the laid cable leaves the free space", "cable");
       cable->EndLinkAt(*link);
       link.emplace(cable->nodes_.back());
       link->rooted = true;
@@ -76,14 +76,14 @@ Expected<Cable> Cable::Lay(const TautSpace& space, std::span<const Point> polyli
     passed_m += piece;
   }
   cable->EndLinkAt(*link);
-  if (options.reel == Reel::kRetracting) cable->LayTaut();
+  if (options.reel == Reel::kRetracting) cable->LayTaut(cable->TautStrand(cable->ClassWalk()));
   StepResult unused;
   cable->FindContacts(unused);
   return cable;
 }
 
 void Cable::EndLinkAt(const Walk& walk) {
-  links_.push_back(StrandOf(walk, PullTaut(space_->mesh(), walk)));
+  links_.push_back(TautStrand(walk));
   nodes_.push_back({walk.at, walk.sleeve.back()});
 }
 
@@ -91,28 +91,38 @@ StepResult Cable::Step(Point to, double dt_s) {
   TAUTLINE_CHECK(IsFinite(to) && dt_s >= 0);
   StepResult result;
   const auto way = WayTo(to);
-  if (!way || (MayExceed(Distance(robot(), way->at)) && TautLengthAfter(*way) > LengthLimit())) {
+  std::optional<Strand> taut;
+  if (way && (options_.reel == Reel::kRetracting || MayEmptyReel(Distance(robot(), way->at)))) {
+    Walk walk = IsUnused() ? Walk({robot(), way->sleeve.front()}) : ClassWalk();
+    for (const TriangleId step : way->sleeve.triangles()) walk.sleeve.Step(step);
+    walk.at = way->at;
+    taut = TautStrand(walk);
+  }
+  if (!way || (taut && taut->length > options_.length_m * (1 + kLengthTolerance))) {
     result.outcome = way ? StepOutcome::kHeld : StepOutcome::kBlocked;
     result.touches_obstacle = !held_.empty();
     result.touches_robot = on_cable_;
     return result;
   }
   time_s_ += dt_s;
-  if (IsUnused()) {
-    nodes_[0].triangle = way->sleeve.front();
-    links_[0] = Strand(way->sleeve.front());
-  }
-  for (const TriangleId step : way->sleeve.triangles()) links_.back().StepSecond(step);
-  nodes_.back() = {way->at, way->sleeve.back()};
-  if (options_.reel == Reel::kRetracting) {
-    LayTaut();
-  } else if (const double pull_m = PullFromRobot(); pull_m > 0) {
-    const double given_m = std::min(pull_m, std::max(0.0, options_.length_m - paid_out_m()));
-    PayOut(given_m);
-    if (given_m < pull_m) Relax();
-  }
+  Drive(*way, taut);
   FindContacts(result);
   return result;
+}
+
+void Cable::Drive(const Walk& way, const std::optional<Strand>& taut) {
+  if (IsUnused()) {
+    nodes_[0].triangle = way.sleeve.front();
+    links_[0] = Strand(way.sleeve.front());
+  }
+  for (const TriangleId step : way.sleeve.triangles()) links_.back().StepSecond(step);
+  nodes_.back() = {way.at, way.sleeve.back()};
+  if (options_.reel == Reel::kRetracting) return LayTaut(*taut);
+  const double pull_m = PullFromRobot();
+  if (pull_m <= 0) return;
+  const double given_m = std::min(pull_m, std::max(0.0, options_.length_m - paid_out_m()));
+  PayOut(given_m);
+  if (taut) Relax(pull_m - given_m, *taut);
 }
 
 std::optional<Walk> Cable::WayTo(Point to) const {
@@ -126,14 +136,7 @@ std::optional<Walk> Cable::WayTo(Point to) const {
   return nearly;
 }
 
-double Cable::TautLengthAfter(const Walk& way) const {
-  Walk walk = ClassWalk();
-  for (const TriangleId step : way.sleeve.triangles()) walk.sleeve.Step(step);
-  walk.at = way.at;
-  return PullTaut(space_->mesh(), walk).length;
-}
-
-bool Cable::MayExceed(double pull_m) const {
+bool Cable::MayEmptyReel(double pull_m) const {
   // Each link passes on no more of a pull than it lacks slack for.
   for (std::size_t i = links_.size(); i-- > 0;) {
     pull_m += links_[i].length - RestLength(i);

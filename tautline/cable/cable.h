@@ -121,9 +121,9 @@ class Cable {
   void EndLinkAt(const Walk& walk);
   bool IsUnused() const { return nodes_.size() == 2 && links_[0].sleeve.size() == 1 && nodes_[0].point == robot(); }
   std::optional<Walk> WayTo(Point to) const;
-  bool MayExceed(double pull_m) const;
-  double TautLengthAfter(const Walk& way) const;
-  double LengthLimit() const { return options_.length_m * (1 + kLengthTolerance); }
+  void Drive(const Walk& way, const std::optional<Strand>& taut);
+  bool MayEmptyReel(double pull_m) const;
+  Strand TautStrand(const Walk& walk) const { return StrandOf(walk, PullTaut(space_->mesh(), walk)); }
 
   // Pulling: cable_pull.cc.
   double PullFromRobot();
@@ -131,8 +131,8 @@ class Cable {
   void PayOut(double length_m);
   void SplitFirstLink();
   void DropPulledIn();
-  void Relax();
-  void LayTaut();
+  void Relax(double excess_m, const Strand& taut);
+  void LayTaut(const Strand& taut);
   void SpreadFromBase(double excess_m);
   void BlendWith(const Strand& taut);
   void SlideNode(std::size_t node, Place target, double by_m, Strand& way);

@@ -8,12 +8,13 @@ namespace tautline {
 namespace {
 
 /// A pull shorter than this share of a link is rounding and ends there.
-constexpr double kSlipShare = 1e-9;
+constexpr double kNoiseShare = 1e-9;
 /// A link that is longer than it should be by no more than this share has come to rest. [Shimada2024, Sec. 5.2]
 constexpr double kRestShare = 1e-3;
-/// So often both ends pull in turns. Each further round leaves some 85 % of what is too long still, where the cable is
-/// nearly taut, so that the rest is better mended at once.
-constexpr int kRounds = 1;
+
+/// A cable pulled along its whole length slips by so many times what it must: then most pulls end in the slack that the
+/// last slip left near the robot, as with a rope that sticks and slips, and few cost a pass over all nodes.
+constexpr double kSlipFactor = 3;
 
 /// Some triangles of a sleeve in a row, both ends included.
 Strand Slice(const Strand& strand, std::size_t first, std::size_t last) {
@@ -32,7 +33,7 @@ double Cable::PullFromRobot() {
     PullTight(mesh, nodes_[i].point, nodes_[i + 1].point, links_[i]);
     const double excess_m = links_[i].length - link_m;
     // Friction holds all the rest where it lies.
-    if (excess_m <= kSlipShare * link_m) return 0;
+    if (excess_m <= kNoiseShare * link_m) return 0;
     SlideFirst(mesh, nodes_[i], nodes_[i + 1], excess_m, links_[i], &links_[i - 1]);
   }
   PullTight(mesh, nodes_[0].point, nodes_[1].point, links_[0]);
@@ -44,7 +45,7 @@ double Cable::PullFromBase() {
   for (std::size_t i = 0;; ++i) {
     PullTight(mesh, nodes_[i].point, nodes_[i + 1].point, links_[i]);
     const double excess_m = links_[i].length - RestLength(i);
-    if (excess_m <= kSlipShare * options_.link_length_m) return 0;
+    if (excess_m <= kNoiseShare * options_.link_length_m) return 0;
     if (i + 1 == links_.size()) return excess_m;
     SlideSecond(mesh, nodes_[i], nodes_[i + 1], excess_m, links_[i], &links_[i + 1]);
   }
@@ -52,7 +53,7 @@ double Cable::PullFromBase() {
 
 void Cable::PayOut(double length_m) {
   first_link_m_ += length_m;
-  while (first_link_m_ > options_.link_length_m * (1 + kSlipShare)) SplitFirstLink();
+  while (first_link_m_ > options_.link_length_m * (1 + kNoiseShare)) SplitFirstLink();
 }
 
 void Cable::SplitFirstLink() {
@@ -80,17 +81,10 @@ void Cable::DropPulledIn() {
   first_link_m_ = std::max(0.0, first_link_m_);
 }
 
-void Cable::Relax() {
-  const double rest_m = kRestShare * options_.link_length_m;
-  double excess_m = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    if (PullFromBase() <= rest_m) return;
-    excess_m = PullFromRobot();
-    if (excess_m <= rest_m) return;
-  }
+void Cable::Relax(double excess_m, const Strand& taut) {
+  if (excess_m <= kRestShare * options_.link_length_m) return;
   SpreadFromBase(excess_m);
-  const Walk walk = ClassWalk();
-  BlendWith(StrandOf(walk, PullTaut(space_->mesh(), walk)));
+  BlendWith(taut);
 }
 
 /// Shares what the first link is too long by evenly among all links: node i of n slides towards the base by (n - i) / n
@@ -116,6 +110,7 @@ void Cable::BlendWith(const Strand& taut) {
     const double rest_m = RestLength(i), excess_m = links_[i].length - rest_m;
     if (excess_m > 0) share = std::max(share, excess_m / (links_[i].length - rest_m * shrink));
   }
+  share = std::min(1.0, kSlipFactor * share);
   StrandCursor target(mesh, nodes_.front(), nodes_.back(), taut);
   Strand way(nodes_[0].triangle), last_way = way;
   double target_m = 0;
@@ -128,7 +123,7 @@ void Cable::BlendWith(const Strand& taut) {
     target.MoveTo(target_m += RestLength(i - 1) * shrink);
     for (std::size_t k = begin; k <= target.position(); ++k) way.StepSecond(taut.sleeve[k]);
     PullTight(mesh, nodes_[i].point, target.place().point, way);
-    SlideNode(i, target.place(), std::min(1.0, share) * way.length, way);
+    SlideNode(i, target.place(), share * way.length, way);
     PullTight(mesh, nodes_[i - 1].point, nodes_[i].point, links_[i - 1]);
   }
   PullTight(mesh, nodes_[links_.size() - 1].point, nodes_.back().point, links_.back());
@@ -170,23 +165,23 @@ void Cable::CutAt(const Strand& taut, std::span<const double> at_m) {
 
 double Cable::Retract(double length_m) {
   const double before_m = paid_out_m(), wanted_m = std::max(0.0, before_m - std::max(0.0, length_m));
-  if (TautLength() >= wanted_m) {
-    LayTaut();
+  const Strand taut = TautStrand(ClassWalk());
+  if (taut.length >= wanted_m) {
+    LayTaut(taut);
   } else {
     first_link_m_ -= before_m - wanted_m;
     DropPulledIn();
-    Relax();
+    // Where the pull comes to the robot, who stands, it comes back.
+    if (PullFromBase() > 0) Relax(PullFromRobot(), taut);
   }
   StepResult unused;
   FindContacts(unused);
   return before_m - paid_out_m();
 }
 
-void Cable::LayTaut() {
-  const Walk walk = ClassWalk();
-  const Strand taut = StrandOf(walk, PullTaut(space_->mesh(), walk));
+void Cable::LayTaut(const Strand& taut) {
   const double link_m = options_.link_length_m;
-  const double full_links = std::max(0.0, std::ceil(taut.length / link_m * (1 - kSlipShare)) - 1);
+  const double full_links = std::max(0.0, std::ceil(taut.length / link_m * (1 - kNoiseShare)) - 1);
   first_link_m_ = taut.length - full_links * link_m;
   std::vector<double> at_m;
   for (double i = 0; i < full_links; ++i) at_m.push_back(first_link_m_ + i * link_m);
