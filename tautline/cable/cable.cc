@@ -65,7 +65,8 @@ Expected<Cable> Cable::Lay(const TautSpace& space, std::span<const Point> polyli
     const double piece = Distance(polyline[i - 1], polyline[i]);
     for (; next_m <= passed_m + piece && cable->links_.size() < full_links; next_m += options.link_length_m) {
       const Point node = Lerp(polyline[i - 1], polyline[i], piece > 0 ? (next_m - passed_m) / piece : 0);
-      if (space.Follow(std::span<const Point>(&node, 1), link)) return InvalidInput("the laid cable leaves the free space", "cable");
+      if (space.Follow(std::span<const Point>(&node, 1), link))
+        return InvalidInput("the laid cable leaves the free space", "cable");
       cable->EndLinkAt(*link);
       link.emplace(cable->nodes_.back());
       link->rooted = true;

@@ -58,10 +58,11 @@ struct StepResult {
 
 /// A cable from its base to the robot. Node 0 is at the base, the last one is the robot. Links have the option's length
 /// except the first, which grows as the reel pays out. A link is string, not a rod: its nodes may come nearer to each
-/// other, and its slack then lies between them; it is never longer than its length by more than a thousandth. Between
-/// its nodes it runs taut around the corners that hold it. Nodes and links stay in the closed free space, and the class
-/// of the chain is that of the way which the robot drove: both exactly, since every motion slides nodes along links.
-/// Deterministic. A copy goes on independently, so controllers may try motions on copies. [Shimada2024, Sec. 5.2]
+/// other, and its slack then lies between them; it is never longer than its length by more than a thousandth of a link.
+/// Between its nodes it runs taut around the corners that hold it. Nodes and links stay in the closed free space, and
+/// the class of the chain is that of the way which the robot drove: both exactly, since every motion slides nodes along
+/// links. Deterministic. A copy goes on independently, so controllers may try motions on copies. [Shimada2024,
+/// Sec. 5.2]
 class Cable {
  public:
   /// The robot at the base and the whole cable on the reel. InvalidInput when a number makes no sense or the base is
@@ -73,9 +74,10 @@ class Cable {
   /// triangles and nodes).
   static Expected<Cable> Lay(const TautSpace& space, std::span<const Point> polyline, const CableOptions& options);
 
-  /// The robot drives straight to a point in dt_s seconds, and the cable follows: first every node that the robot
-  /// pulls, towards it, then, where the pull has come to the base and the reel is empty, in turns from both ends until
-  /// all links fit again. [Shimada2024, Eqs. 6, 7] O(nodes moved); O(nodes) more near the limit of the cable.
+  /// The robot drives straight to a point in dt_s seconds, and the cable follows: every node that the robot pulls, and,
+  /// where the pull has come to the base and the reel is empty, all of them until the links fit again: README.md says
+  /// how. Requires a finite point and dt_s >= 0. O(nodes moved) and O(nodes) for contacts; O(triangles along the cable)
+  /// more where the reel is empty. [Shimada2024, Eqs. 6, 7]
   StepResult Step(Point to, double dt_s);
 
   /// The reel pulls in up to this many metres: the nodes follow from the base until the cable is taut, and the robot

@@ -186,7 +186,7 @@ void ExpectLengths(const Cable& cable) {
   double laid = 0;
   for (std::size_t i = 0; i < cable.links().size(); ++i) {
     const double length = cable.links()[i].length;
-    ASSERT_LE(length, cable.RestLength(i) + 0.01 * cable.options().link_length_m) << "link " << i;
+    ASSERT_LE(length, cable.RestLength(i) + 0.0011 * cable.options().link_length_m) << "link " << i;
     laid += length;
   }
   EXPECT_NEAR(laid, LaidLength(cable), 1e-9);
