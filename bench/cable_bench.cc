@@ -75,7 +75,7 @@ struct Drive {
   std::size_t held = 0;
 };
 
-Drive DriveCable(const TautSpace& space, Cable& cable, Tour& tour, std::size_t steps) {
+Drive DriveCable(Cable& cable, Tour& tour, std::size_t steps) {
   Drive drive;
   for (std::size_t step = 0; step < steps; ++step) {
     const Point to = tour.NextFrom(cable.robot());
@@ -87,7 +87,6 @@ Drive DriveCable(const TautSpace& space, Cable& cable, Tour& tour, std::size_t s
     tour.Turn(cable.robot());
   }
   TAUTLINE_CHECK(cable.TautLength() <= cable.options().length_m * (1 + kLengthTolerance));
-  static_cast<void>(space);
   return drive;
 }
 
@@ -98,7 +97,7 @@ void RunCable(benchmark::State& state, const World& world, double length_m, Reel
     auto cable =
         Cable::Create(space, tour.base(), {.length_m = length_m, .link_length_m = length_m / kLinks, .reel = reel})
             .value();
-    const Drive drive = DriveCable(space, cable, tour, steps);
+    const Drive drive = DriveCable(cable, tour, steps);
     state.SetIterationTime(drive.seconds);
     state.counters["real_time_factor"] = kStepS * static_cast<double>(steps - drive.held) / drive.seconds;
     state.counters["nodes"] = static_cast<double>(cable.nodes().size());
@@ -113,7 +112,7 @@ void RunPlainRope(benchmark::State& state, const World& world, double length_m, 
   Tour tour(space, kSeed);
   const Point base = tour.base();
   auto cable = Cable::Create(space, base, {.length_m = length_m, .link_length_m = length_m / kLinks}).value();
-  const Drive drive = DriveCable(space, cable, tour, steps);
+  const Drive drive = DriveCable(cable, tour, steps);
   std::vector<Ring> obstacles;
   for (const FreeComponent& component : space.free_space().components) {
     for (const BoundaryRing& hole : component.holes) obstacles.push_back(hole.points);

@@ -2,6 +2,7 @@
 #ifndef TAUTLINE_CABLE_RANDOM_DRIVE_H_
 #define TAUTLINE_CABLE_RANDOM_DRIVE_H_
 
+#include <cmath>
 #include <numbers>
 
 #include "tautline/base/rng.h"
