@@ -13,7 +13,7 @@ namespace tautline {
 template <class T>
 class ChunkedArray {
  public:
-  static constexpr std::size_t kChunk = std::size_t{1} << 16;  ///< Elements in a piece.
+  static constexpr std::size_t kChunk = std::size_t{1} << 12;  ///< Elements in a piece.
 
   /// Makes room for `count` elements that lie one behind the other and returns the position of the first; they have
   /// the value `value`. Requires count <= kChunk.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <unordered_map>
@@ -31,6 +32,8 @@ class PatchCutter {
     atlas_.tile_columns_ = (ground_.columns() + kTileSide - 1) / kTileSide;
     atlas_.tile_rows_ = (ground_.rows() + kTileSide - 1) / kTileSide;
     const int tiles = atlas_.tile_columns_ * atlas_.tile_rows_;
+    FindLowestRays();
+    for (int tile = 0; tile < tiles; ++tile) plain_.push_back(IsPlain(tile));
     for (int tile = 0; tile < tiles; ++tile) {
       atlas_.first_patch_.push_back(static_cast<std::uint32_t>(atlas_.patches_.size()));
       CutTile(tile);
@@ -41,6 +44,45 @@ class PatchCutter {
 
  private:
   using WordNumber = WordTrie::WordNumber;
+
+  /// How low rays come down among the columns of a tile and at its sides.
+  void FindLowestRays() {
+    lowest_ray_.assign(static_cast<std::size_t>(atlas_.tile_columns_), ground_.rows());
+    for (int column = 0; column < ground_.columns(); ++column) {
+      for (const CellGround::Ray& ray : ground_.RaysBefore(column)) {
+        int& lowest = lowest_ray_[static_cast<std::size_t>(column / kTileSide)];
+        lowest = std::min(lowest, ray.above_row);
+        if (column % kTileSide != 0 || column == 0) continue;
+        int& before = lowest_ray_[static_cast<std::size_t>(column / kTileSide) - 1];
+        before = std::min(before, ray.above_row);
+      }
+    }
+  }
+
+  /// Whether a tile is whole, free and crossed by no ray, also not on the way out of it.
+  bool IsPlain(int tile) const {
+    const GridCell low = CellAt(tile, 0), high = CellAt(tile, kTileCells - 1);
+    if (high.column >= ground_.columns() || high.row >= ground_.rows()) return false;
+    if (lowest_ray_[static_cast<std::size_t>(tile % atlas_.tile_columns_)] <= high.row) return false;
+    const OccupancyGrid& grid = ground_.grid();
+    for (int row = low.row; row <= high.row; ++row) {
+      const auto first = grid.cells.begin() + static_cast<std::ptrdiff_t>(grid.index(low.column, row));
+      if (std::any_of(first, first + kTileSide, [](CellState cell) { return cell != CellState::kFree; })) return false;
+    }
+    return true;
+  }
+
+  /// Whether all tiles around a tile are plain, and itself.
+  bool IsAmongPlain(int tile) const {
+    const int column = tile % atlas_.tile_columns_, row = tile / atlas_.tile_columns_;
+    if (column == 0 || row == 0 || column + 1 == atlas_.tile_columns_ || row + 1 == atlas_.tile_rows_) return false;
+    for (int y = -1; y <= 1; ++y) {
+      for (int x = -1; x <= 1; ++x) {
+        if (!plain_[static_cast<std::size_t>(tile + y * atlas_.tile_columns_ + x)]) return false;
+      }
+    }
+    return true;
+  }
 
   std::size_t step() const { return atlas_.connectivity_ == Connectivity::kEight ? 1 : 2; }
 
@@ -74,6 +116,10 @@ class PatchCutter {
   }
 
   void CutTile(int tile) {
+    if (plain_[static_cast<std::size_t>(tile)] && open_shape_) {
+      atlas_.patches_.push_back({static_cast<std::uint32_t>(tile), *open_shape_, 0, 0});
+      return;
+    }
     TileMask left = 0;
     for (int cell = 0; cell < kTileCells; ++cell) {
       if (ground_.IsFree(CellAt(tile, cell))) left |= TileMask{1} << cell;
@@ -118,10 +164,11 @@ class PatchCutter {
       shape.position[at] = position++;
       if (words_of_[at] != WordTrie::kEmpty) atlas_.cell_words_.push_back({patch, cell, words_of_[at]});
     }
-    shape.open = shape.moves == OpenMoves(atlas_.connectivity_ == Connectivity::kEight);
+    shape.open = shape.count == kTileCells && shape.moves == OpenMoves(step() == 1);
     const auto [found, added] = shape_numbers_.try_emplace(KeyOf(shape.moves) + KeyOf(shape.cells),
                                                            static_cast<std::uint32_t>(atlas_.shapes_.size()));
     if (added) atlas_.shapes_.push_back(shape);
+    if (shape.open) open_shape_ = found->second;
     atlas_.patches_.push_back({static_cast<std::uint32_t>(tile), found->second, 0, 0});
   }
 
@@ -135,7 +182,26 @@ class PatchCutter {
     return word;
   }
 
+  /// The links of patches among plain tiles are all alike: they are found once and copied.
   void AddLinks(std::uint32_t patch) {
+    const auto tile = static_cast<int>(atlas_.patches_[patch].tile);
+    if (!IsAmongPlain(tile)) return FindLinks(patch);
+    if (plain_links_.empty()) {
+      FindLinks(patch);
+      for (const PatchAtlas::Link& link : atlas_.links(patch)) {
+        plain_links_.emplace_back(static_cast<int>(atlas_.patches_[link.to].tile) - tile, link);
+      }
+      return;
+    }
+    atlas_.patches_[patch].first_link = static_cast<std::uint32_t>(atlas_.links_.size());
+    atlas_.patches_[patch].links = static_cast<std::uint32_t>(plain_links_.size());
+    for (auto [offset, link] : plain_links_) {
+      link.to = atlas_.first_patch_[static_cast<std::size_t>(tile + offset)];
+      atlas_.links_.push_back(link);
+    }
+  }
+
+  void FindLinks(std::uint32_t patch) {
     const PatchAtlas::Shape shape = atlas_.shape(patch);
     std::map<std::tuple<std::uint32_t, WordNumber>, std::map<std::size_t, PatchAtlas::Crossing>> links;
     for (std::size_t d = 0; d < kDirections; d += step()) {
@@ -175,6 +241,10 @@ class PatchCutter {
 
   const CellGround& ground_;
   PatchAtlas& atlas_;
+  std::vector<int> lowest_ray_;  ///< By column of tiles; the number of rows where there is none.
+  std::vector<bool> plain_;      ///< By tile.
+  std::optional<std::uint32_t> open_shape_;
+  std::vector<std::pair<int, PatchAtlas::Link>> plain_links_;  ///< With how much later their tiles come.
   std::array<WordNumber, kTileCells> words_of_{};
   std::unordered_map<std::string, std::uint32_t> shape_numbers_, crossing_numbers_;
 };
