@@ -139,6 +139,7 @@ void ManifoldBuilder::MakeLinks(std::uint32_t number) {
     if (m_.links_[at] != kNoPage || !CanCross(page, links[i])) continue;
     const std::uint32_t to = Obtain(links[i].to, WordAcross(page.word, links[i]));
     m_.links_[at] = to;
+    m_.links_[m_.pages_[to].first_link + links[i].back] = number;
   }
 }
 
