@@ -36,7 +36,7 @@ struct ManifoldAnswer {
   std::vector<ManifoldSheet> sheets;     ///< With `sheets`.
   std::string explanation;               ///< Why it is not solved; empty when it is.
   ManifoldCounts counts;                 ///< Of either construction.
-  Json json;                             ///< The result as docs/manifold.md describes it.
+  Json json = {};                        ///< The result as docs/manifold.md describes it.
   ExitStatus status = kExitSolved;       ///< kExitInfeasible where the base is blocked or a budget ran out.
 };
 

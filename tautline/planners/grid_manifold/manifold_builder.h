@@ -40,11 +40,11 @@ class ManifoldBuilder {
   void InThreads(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) const;
   void Sweep(std::size_t at);
   void MakeLinks(std::size_t at);
-  void FetchBeside(std::uint32_t page) const;
-  void HandOn(std::size_t at);
+  void FetchBeside(std::uint32_t number) const;
+  void HandOn(std::size_t place);
   void Enqueue(std::size_t at);
-  void SetVertices(std::uint32_t page);
-  void Queue(std::uint32_t page);
+  void SetVertices(std::uint32_t number);
+  void Queue(std::uint32_t number);
   bool CanCross(const Page& page, const PatchAtlas::Link& link) const;
   std::size_t Slot(PatchAtlas::PatchNumber patch, WordTrie::WordNumber word) const;
   WordTrie::WordNumber WordAcross(WordTrie::WordNumber word, const PatchAtlas::Link& link);
@@ -55,7 +55,7 @@ class ManifoldBuilder {
   bool HasTooMany(std::size_t bucket, LatticeDistance done);
   void CutAt(LatticeDistance distance);
   void Finish();
-  void FindLinks(std::uint32_t page);
+  void FindLinks(std::uint32_t number);
 
   GridManifold& m_;
   const ManifoldOptions& options_;
