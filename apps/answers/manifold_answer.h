@@ -31,12 +31,12 @@ struct ManifoldQuestion {
   ParallelRanges parallel;                         ///< Runs ranges in threads.
 };
 
-struct ManifoldAnswer {
+struct ManifoldAnswer {  // NOLINT(bugprone-exception-escape): the JSON library moves its values without noexcept.
   std::optional<GridManifold> manifold;  ///< Nothing where the base is blocked, and with `literal`.
   std::vector<ManifoldSheet> sheets;     ///< With `sheets`.
   std::string explanation;               ///< Why it is not solved; empty when it is.
   ManifoldCounts counts;                 ///< Of either construction.
-  Json json = {};                        ///< The result as docs/manifold.md describes it.
+  Json json;                             ///< The result as docs/manifold.md describes it.
   ExitStatus status = kExitSolved;       ///< kExitInfeasible where the base is blocked or a budget ran out.
 };
 
