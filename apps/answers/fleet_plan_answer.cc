@@ -273,7 +273,7 @@ void PlayBack(const Scene& scene, const FleetPlanQuestion& question, FleetPlanAn
   if (!played) {
     Contradict(scene, answer,
                "has " + answer.setup.name(played.error().a) + " meet " + answer.setup.name(played.error().b) + " at " +
-                   ToText(played.error().at));
+                   ShortText(played.error().at));
   }
   if (!played->differing.empty()) {
     Contradict(scene, answer, "brings about another cable line of " + answer.setup.name(played->differing.front()));

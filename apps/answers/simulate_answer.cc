@@ -132,7 +132,7 @@ void Conclude(SimulateAnswer& answer) {
   } else if (!playback.broken.empty()) {
     const BrokenOrder& order = playback.broken.front();
     Refuse("order_broken",
-           setup.name(order.second) + " passes " + ToText(order.at) + " before " + setup.name(order.first) +
+           setup.name(order.second) + " passes " + ShortText(order.at) + " before " + setup.name(order.first) +
                ", which should be first",
            answer);
   } else if (!answer.too_short.empty()) {
@@ -154,8 +154,8 @@ void Perform(const DrivenPlan& driven, const SimulateQuestion& question, Simulat
     const std::string a = answer.setup.name(fault.a), b = answer.setup.name(fault.b);
     answer.json["matches_target"] = false;
     Refuse("robots_meet",
-           (a == b ? a + " meets what its cable cannot pass" : a + " and " + b + " meet") + " at " + ToText(fault.at) +
-               " after " + ShortNumber(fault.t) + " s, and nothing says who goes first",
+           (a == b ? a + " meets what its cable cannot pass" : a + " and " + b + " meet") + " at " +
+               ShortText(fault.at) + " after " + ShortNumber(fault.t) + " s, and nothing says who goes first",
            answer);
     answer.json["robots"] = {a, b};
     answer.json["at"] = PointJson(fault.at);

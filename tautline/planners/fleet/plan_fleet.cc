@@ -423,7 +423,7 @@ std::string Explain(const FleetGround& ground, const FleetPlanFault& fault) {
     return "the start of " + b + " at " + ToText(fault.at) + " is on the path of " + a +
            " or between that path and its cable line: lead that cable line past the other side of it";
   }
-  return "the paths of " + a + " and " + b + " cross at " + ToText(fault.at) +
+  return "the paths of " + a + " and " + b + " cross at " + ShortText(fault.at) +
          ", and not exactly one of their targets is between the path and the cable line of the other"
          ": lead one of the cable lines around the target of the other";
 }
