@@ -15,16 +15,6 @@ namespace {
 /// Cables are measured a hair's breadth off crossings; so much longer than the tether is no fault.
 constexpr double kMeasured = 1e-6;
 
-/// The orders between paths as they are driven: between straight ones, those of the pair graph; a detour has its own.
-std::vector<Passing> DrivenPassings(const FleetPlan& plan) {
-  std::vector<Passing> passings = plan.detour_passings;
-  for (const Passing& passing : plan.passings) {
-    const auto is_straight = [&](RobotId robot) { return !plan.schedule[robot.index()].path.is_cable; };
-    if (is_straight(passing.first) && is_straight(passing.second)) passings.push_back(passing);
-  }
-  return passings;
-}
-
 RobotSchedule DriveFrom(double start, const FleetRobot& robot, RobotPath path) {
   RobotSchedule schedule;
   for (std::size_t k = 0; k < path.points.size(); ++k) {
@@ -196,7 +186,7 @@ Expected<std::optional<DrivenPlan>> PlanOf(const Scene& scene, const SimulateQue
     answer.status = kExitInfeasible;
     return std::optional<DrivenPlan>();
   }
-  return DrivenPlan{planned->plan->schedule, DrivenPassings(*planned->plan)};
+  return DrivenPlan{planned->plan->schedule, PassingsToKeep(*planned->plan)};
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ Run AddFleetPlan(CLI::App& fleet) {
                   "how far apart robots stay at a crossing, metres; without it, the sum of their radii")
       ->check(NonNegative());
   sub->add_option("--budget", command->budget, "without cable lines, orders of passing after which the choice ends")
-      ->check(CLI::PositiveNumber)
+      ->check(AtLeastOne())
       ->capture_default_str();
   sub->add_option("--csv", command->common.csv, "write the events to this file as a table")
       ->type_name("FILE")

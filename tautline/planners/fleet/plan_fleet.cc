@@ -376,7 +376,10 @@ class Planner {
       const EventGraph graph = MakeEventGraph(drive.paths, drive.orders, {[width](RobotId, RobotId) { return width; }});
       return !TopologicalOrder(graph.Flat()).has_value();
     };
-    double low = 0, high = fault.gap;
+    // From the length of a path on, it is all in the gap.
+    double low = 0, high = 0;
+    for (const RobotPath& path : drive.paths) high = std::max(high, path.length());
+    high = std::min(high, fault.gap);
     constexpr int kHalvings = 50;
     for (int i = 0; i < kHalvings && low < high; ++i) {
       const double middle = low + 0.5 * (high - low);
@@ -384,7 +387,8 @@ class Planner {
     }
     fault.largest_gap = low;
     const OrderGraph flat = GraphOf(drive, gap).Flat();
-    for (const std::uint32_t v : CyclicParts(flat).front()) fault.robots.push_back(flat.robot_of[v]);
+    const auto parts = CyclicParts(flat);
+    for (const std::uint32_t v : parts.front()) fault.robots.push_back(flat.robot_of[v]);
     std::sort(fault.robots.begin(), fault.robots.end());
     fault.robots.erase(std::unique(fault.robots.begin(), fault.robots.end()), fault.robots.end());
     return fault;
