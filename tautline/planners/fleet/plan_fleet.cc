@@ -384,7 +384,8 @@ class Planner {
     }
     fault.largest_gap = low;
     const OrderGraph flat = GraphOf(drive, gap).Flat();
-    for (const std::uint32_t v : CyclicParts(flat).front()) fault.robots.push_back(flat.robot_of[v]);
+    const auto parts = CyclicParts(flat);
+    for (const std::uint32_t v : parts.front()) fault.robots.push_back(flat.robot_of[v]);
     std::sort(fault.robots.begin(), fault.robots.end());
     fault.robots.erase(std::unique(fault.robots.begin(), fault.robots.end()), fault.robots.end());
     return fault;
