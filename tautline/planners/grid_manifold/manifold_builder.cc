@@ -83,7 +83,10 @@ void ManifoldBuilder::RunBatch() {
   if (options_.parallel && batch_.size() >= kWorthwhile) {
     HandOnInColours();
   } else {
-    for (const std::uint32_t page : batch_) HandOn(page);
+    for (std::size_t i = 0; i < batch_.size(); ++i) {
+      if (i + 2 < batch_.size()) FetchBeside(batch_[i + 2]);
+      HandOn(batch_[i]);
+    }
   }
   for (const std::uint32_t page : batch_) Enqueue(page);
 }
@@ -94,7 +97,11 @@ void ManifoldBuilder::HandOnInColours() {
   for (std::size_t colour = 0; colour < kColours; ++colour) {
     options_.parallel(kShares, [&](std::size_t begin, std::size_t end) {
       for (std::size_t share = begin; share < end; ++share) {
-        for (const std::uint32_t page : shares_[colour * kShares + share]) HandOn(page);
+        const auto& pages = shares_[colour * kShares + share];
+        for (std::size_t i = 0; i < pages.size(); ++i) {
+          if (i + 2 < pages.size()) FetchBeside(pages[i + 2]);
+          HandOn(pages[i]);
+        }
       }
     });
   }
@@ -139,6 +146,7 @@ void ManifoldBuilder::MakeLinks(std::uint32_t number) {
     if (m_.links_[at] != kNoPage || !CanCross(page, links[i])) continue;
     const std::uint32_t to = Obtain(links[i].to, WordAcross(page.word, links[i]));
     m_.links_[at] = to;
+    m_.links_[m_.pages_[to].first_link + links[i].back] = number;
   }
 }
 
@@ -146,6 +154,20 @@ WordTrie::WordNumber ManifoldBuilder::WordAcross(WordTrie::WordNumber word, cons
   if (link.word == WordTrie::kEmpty) return word;
   for (const TrieLetter letter : m_.atlas_.words().LettersOf(link.word)) word = m_.words_.Append(word, letter);
   return word;
+}
+
+/// Asks for the memory that handing on will write to, which lies all over.
+void ManifoldBuilder::FetchBeside(std::uint32_t number) const {
+  constexpr std::size_t kLine = 16;  // Distances.
+  const Page& page = m_.pages_[number];
+  const std::size_t links = m_.atlas_.links(page.patch).size();
+  for (std::size_t i = 0; i < links; ++i) {
+    const std::uint32_t to = m_.links_[page.first_link + i];
+    if (to == kNoPage) continue;
+    const Page& other = m_.pages_[to];
+    const std::size_t count = m_.atlas_.shape(other.patch).count;
+    for (std::size_t at = 0; at < count; at += kLine) __builtin_prefetch(&m_.values_[other.first_value + at], 1);
+  }
 }
 
 /// Offers the changed distances of a page to the pages beside it.

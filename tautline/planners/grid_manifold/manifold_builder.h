@@ -39,6 +39,7 @@ class ManifoldBuilder {
   void InRanges(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) const;
   void Sweep(std::uint32_t page);
   void MakeLinks(std::uint32_t page);
+  void FetchBeside(std::uint32_t page) const;
   void HandOn(std::uint32_t page);
   void Enqueue(std::uint32_t page);
   void Queue(std::uint32_t page);
