@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <queue>
+#include <tuple>
 #include <utility>
 
 #include "tautline/base/check.h"
@@ -28,18 +31,30 @@ class DeadlockSearch {
     const std::vector<ManifoldVertex> path = PathToBase(manifold_, v);
     LayPath(path);
     FindFlanks(path);
-    Begin(v);
-    Search();
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-      if (Root(part) == part && IsDeadlock(parts_[part])) Close(contact, part);
+    if (!RunsAway(v)) {
+      Begin(v);
+      Search();
+      CloseDeadlocks(contact);
     }
-    for (const ManifoldVertex u : visited_) distance_[areas_.ValueOf(u)] = kUnreached;
     LiftPath(path);
-    visited_.clear();
-    for (auto& bucket : buckets_) bucket.clear();
   }
 
  private:
+  void CloseDeadlocks(std::size_t contact) {
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      if (Root(part) == part && IsDeadlock(parts_[part])) Close(contact, part);
+    }
+    Forget();
+    for (auto& bucket : buckets_) bucket.clear();
+  }
+
+  void Forget() {
+    for (const ManifoldVertex u : visited_) distance_[areas_.ValueOf(u)] = kUnreached;
+    visited_.clear();
+  }
+
+  static constexpr LatticeDistance kRun = 0, kRunFar = 1;  ///< Marks of running away.
+  static constexpr int kRunsPerStep = 8;
   static constexpr std::uint8_t kOnPath = 1, kRising = 2, kFalling = 4;
 
   /// What one search from beside the contact found out.
@@ -98,6 +113,53 @@ class DeadlockSearch {
     if (d % 2 == 0) return false;
     const GridCell square{std::min(from.column, to.column), std::min(from.row, to.row)};
     return (marks_[IndexOf(square)] & (d % 4 == 1 ? kFalling : kRising)) != 0;
+  }
+
+  /// The least length of a way between two cells.
+  LatticeDistance Apart(GridCell a, GridCell b) const {
+    const int columns = std::abs(a.column - b.column), rows = std::abs(a.row - b.row);
+    if (step_ == 2) return (columns + rows) * kStraightStep;
+    const int less = std::min(columns, rows), more = std::max(columns, rows);
+    return less * kDiagonalStep + (more - less) * kStraightStep;
+  }
+
+  /// Tries to settle every part by going straight away from the contact: in most places that leads far enough, and
+  /// much faster than by way of all that is nearer. Says nothing where it fails.
+  bool RunsAway(ManifoldVertex v) {
+    bool all = true;
+    const GridCell from = manifold_.CellOf(v);
+    for (int d = 0; d < kDirections && all; d += step_) {
+      const auto first = manifold_.Step(v, d);
+      if (first && !IsBarred(from, d)) all = RunsAway(from, *first);
+    }
+    Forget();
+    return all;
+  }
+
+  /// Best first, by the distance as the crow flies. What an earlier run has visited is joined to its end.
+  bool RunsAway(GridCell from, ManifoldVertex first) {
+    using Candidate = std::tuple<LatticeDistance, std::uint32_t, int>;
+    std::priority_queue<Candidate> queue;
+    queue.emplace(Apart(from, manifold_.CellOf(first)), first.page, first.cell);
+    for (int tries = kRunsPerStep * (rest_ / kStraightStep + kRunsPerStep); tries > 0 && !queue.empty(); --tries) {
+      const auto [apart, page, cell] = queue.top();
+      queue.pop();
+      const ManifoldVertex v{page, cell};
+      LatticeDistance& mark = distance_[areas_.ValueOf(v)];
+      if (apart > rest_ || mark == kRunFar) {
+        for (const ManifoldVertex u : visited_) distance_[areas_.ValueOf(u)] = kRunFar;
+        return true;
+      }
+      if (mark != kUnreached) continue;
+      mark = kRun;
+      visited_.push_back(v);
+      for (int d = 0; d < kDirections; d += step_) {
+        const auto to = manifold_.Step(v, d);
+        if (!to || IsBarred(manifold_.CellOf(v), d) || distance_[areas_.ValueOf(*to)] == kRun) continue;
+        queue.emplace(Apart(from, manifold_.CellOf(*to)), to->page, to->cell);
+      }
+    }
+    return false;
   }
 
   void Begin(ManifoldVertex v) {
