@@ -80,7 +80,8 @@ class PatchCutter {
     if (column == 0 || row == 0 || column + 1 == atlas_.tile_columns_ || row + 1 == atlas_.tile_rows_) return false;
     for (int y = -1; y <= 1; ++y) {
       for (int x = -1; x <= 1; ++x) {
-        if (!plain_[static_cast<std::size_t>(tile + y * atlas_.tile_columns_ + x)]) return false;
+        const int beside = tile + y * atlas_.tile_columns_ + x;
+        if (!plain_[static_cast<std::size_t>(beside)]) return false;
       }
     }
     return true;
@@ -209,7 +210,8 @@ class PatchCutter {
     atlas_.patches_[patch].first_link = static_cast<std::uint32_t>(atlas_.links_.size());
     atlas_.patches_[patch].links = static_cast<std::uint32_t>(plain_links_.size());
     for (auto [offset, link] : plain_links_) {
-      link.to = atlas_.first_patch_[static_cast<std::size_t>(tile + offset)];
+      const int beside = tile + offset;
+      link.to = atlas_.first_patch_[static_cast<std::size_t>(beside)];
       atlas_.links_.push_back(link);
     }
   }
@@ -315,7 +317,8 @@ PatchAtlas::PatchAtlas(const CellGround& ground, Connectivity connectivity) : co
 }
 
 PatchAtlas::Place PatchAtlas::PlaceOf(GridCell cell) const {
-  const auto tile = static_cast<std::size_t>(cell.row / kTileSide * tile_columns_ + cell.column / kTileSide);
+  const int number = cell.row / kTileSide * tile_columns_ + cell.column / kTileSide;
+  const auto tile = static_cast<std::size_t>(number);
   const int in_tile = cell.row % kTileSide * kTileSide + cell.column % kTileSide;
   for (PatchNumber patch = first_patch_[tile]; patch < first_patch_[tile + 1]; ++patch) {
     if ((shape(patch).cells >> in_tile & 1) != 0) return {patch, in_tile};
