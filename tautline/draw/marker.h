@@ -19,6 +19,7 @@ enum class Marker {
   kSnap,       ///< A diamond: boundaries joined.
   kWinch,      ///< A drum: an anchor of a cable.
   kTask,       ///< A small square: a place to visit or to hold.
+  kStar,       ///< A star: a contact that locks the robot in.
 };
 
 /// Draws a symbol of about 16 pixels at a point.
