@@ -7,22 +7,23 @@
 
 #include "apps/answers/json_values.h"
 #include "tautline/planners/grid_manifold/deadlocks.h"
+#include "tautline/scene/scene.h"
 
 namespace tautline {
 
 /// What one obstacle has to do with deadlocks.
 struct DeadlockCause {
-  std::string obstacle;       ///< An island, or "walls" for all that reaches the border of the map.
+  std::string obstacle;       ///< An island, an obstacle of the scene that is joined to walls, or "walls".
   std::size_t deadlocks = 0;  ///< How many it causes.
   std::int64_t closed = 0;    ///< Vertices that they are the first to close.
 };
 
 /// The causes, those that close most first, then by name.
-std::vector<DeadlockCause> CausesOf(const GridManifold& manifold, const DeadlockAreas& areas);
+std::vector<DeadlockCause> CausesOf(const World& world, const GridManifold& manifold, const DeadlockAreas& areas);
 
 /// Adds `contacts`, `deadlocks`, `closed_vertices`, `deadlock_area`, `lost_area` and `deadlock_obstacles`, as
 /// docs/manifold.md describes them.
-void AddDeadlocks(const GridManifold& manifold, const DeadlockAreas& areas, Json& json);
+void AddDeadlocks(const World& world, const GridManifold& manifold, const DeadlockAreas& areas, Json& json);
 
 }  // namespace tautline
 

@@ -175,7 +175,7 @@ Expected<void> AddManifold(const Scene& scene, const ManifoldQuestion& question,
   if (question.deadlocks) {
     if (question.watch) question.watch("deadlocks", 0);
     answer.deadlocks.emplace(*answer.manifold);
-    AddDeadlocks(*answer.manifold, *answer.deadlocks, answer.json);
+    AddDeadlocks(scene.world, *answer.manifold, *answer.deadlocks, answer.json);
   }
   return {};
 }

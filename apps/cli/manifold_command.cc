@@ -14,8 +14,7 @@
 #include "apps/cli/option_checks.h"
 #include "apps/cli/parallel_ranges.h"
 #include "apps/cli/prepared_options.h"
-#include "tautline/draw/draw_deadlocks.h"
-#include "tautline/draw/draw_manifold.h"
+#include "apps/pictures/manifold_pictures.h"
 #include "tautline/planners/grid_manifold/manifold_file.h"
 #include "tautline/scene/number_text.h"
 #include "tautline/scene/world_digest.h"
@@ -47,11 +46,11 @@ std::string DescribeSheets(const ManifoldAnswer& answer) {
   return text;
 }
 
-std::string DescribeDeadlocks(const ManifoldAnswer& answer) {
+std::string DescribeDeadlocks(const World& world, const ManifoldAnswer& answer) {
   std::string text = fmt::format("  closed   {} over all classes, {} of ground in every class\n",
                                  SquareMetres(answer.json.at("deadlock_area").get<double>()),
                                  SquareMetres(answer.json.at("lost_area").get<double>()));
-  const std::vector<DeadlockCause> causes = CausesOf(*answer.manifold, *answer.deadlocks);
+  const std::vector<DeadlockCause> causes = CausesOf(world, *answer.manifold, *answer.deadlocks);
   if (causes.empty()) return text + "  deadlock none: every contact can be resolved\n";
   const double cell_m = answer.manifold->ground().cell_m();
   for (std::size_t i = 0; i < std::min(kMostListed, causes.size()); ++i) {
@@ -62,7 +61,7 @@ std::string DescribeDeadlocks(const ManifoldAnswer& answer) {
   return text;
 }
 
-std::string ToText(const ManifoldAnswer& answer) {
+std::string ToText(const World& world, const ManifoldAnswer& answer) {
   if (answer.json.at("status") == "infeasible") return fmt::format("No manifold: {}.\n", answer.explanation);
   const ManifoldCounts& counts = answer.counts;
   std::int64_t cells = 0;
@@ -81,7 +80,7 @@ std::string ToText(const ManifoldAnswer& answer) {
       text += fmt::format(", {} from the base", Metres(field.at("from_base").get<double>()));
     text += "\n";
   }
-  if (answer.deadlocks) text += DescribeDeadlocks(answer);
+  if (answer.deadlocks) text += DescribeDeadlocks(world, answer);
   if (!answer.explanation.empty()) text += fmt::format("  stopped  {}.\n", answer.explanation);
   return text;
 }
@@ -124,16 +123,15 @@ Expected<int> RunManifold(ManifoldCommand& command) {
   const auto answer = AnswerManifold(*scene, question);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    if (answer->deadlocks) return DrawDeadlocks(*scene, *answer->manifold, *answer->deadlocks);
-    return DrawManifold(*scene, {answer->manifold ? &*answer->manifold : nullptr, answer->explanation});
-  };
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
   const auto prepared = [&] {
     return answer->manifold ? ManifoldFile::Write(*answer->manifold, WorldDigest(scene->world)) : std::string();
   };
-  return Deliver(
-      command.common,
-      {.json = answer->json, .text = ToText(*answer), .draw = draw, .prepared = prepared, .status = answer->status});
+  return Deliver(command.common, {.json = answer->json,
+                                  .text = ToText(scene->world, *answer),
+                                  .draw = draw,
+                                  .prepared = prepared,
+                                  .status = answer->status});
 }
 
 }  // namespace

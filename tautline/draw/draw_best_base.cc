@@ -32,9 +32,13 @@ std::array<std::vector<SvgCurve>, kShades.size()> DiscsOf(const BestBasePicture&
       view.pixels_per_metre() * picture.ground->cell_m() *
       std::sqrt(static_cast<double>(picture.ground->free_cells()) / static_cast<double>(picture.ranked.size()));
   const double radius = std::clamp(0.42 * spacing, 1.0, kLargestDisc);
+  std::int64_t most_cells = 0;
+  for (const BaseTrial& trial : picture.ranked) most_cells = std::max(most_cells, trial.cells);
   for (const BaseTrial& trial : picture.ranked) {
+    const bool counts = static_cast<double>(trial.cells) >= kLeastReachShare * static_cast<double>(most_cells);
     const double share = range > 0 ? (WorthOf(trial, picture.objective) - low) / range : 1;
-    const double good = picture.objective == BaseObjective::kArea || range <= 0 ? share : 1 - share;
+    const double least_closed = counts ? 1 - share : 0;
+    const double good = picture.objective == BaseObjective::kArea || range <= 0 ? share : least_closed;
     const auto shade = std::min(kShades.size() - 1, static_cast<std::size_t>(good * kShades.size()));
     const Point at = view.ToPixels(picture.ground->CentreOf(trial.base));
     const Point right = at + Point{radius, 0}, left = at - Point{radius, 0};
@@ -61,7 +65,7 @@ FigureContent ContentOf(const BestBasePicture& picture) {
   }
   content.notes.push_back("Numbers are the next best ones.");
   content.legend = {{GroundSwatch{.fill = kShades.back()}, "near the best"},
-                    {GroundSwatch{.fill = kShades.front()}, "near the worst"}};
+                    {GroundSwatch{.fill = kShades.front()}, "near the worst, or out of the question"}};
   return content;
 }
 
