@@ -86,10 +86,11 @@ Expected<BaseSearch> PrepareBaseSearch(const Scene& scene, const BaseQuestion& q
   auto ground = MakeCellGround(scene.world, question.cells);
   if (!ground) return tl::unexpected(ground.error());
   const double cells = SpacingOf(question, *ground) / ground->cell_m();
-  if (!(cells >= 0.5))
+  if (!(cells >= 0.5)) {
     return InvalidInput("must be at least half of a cell of " + Metres(ground->cell_m()), "--spacing");
+  }
   const int most = std::max(ground->columns(), ground->rows());
-  const int stride = static_cast<int>(std::min<double>(most, std::lround(std::min<double>(cells, most))));
+  const int stride = static_cast<int>(std::lround(std::min<double>(cells, most)));
   std::vector<GridCell> candidates = CandidateBases(*ground, question.candidates, std::max(1, stride));
   if (candidates.size() > kMostCandidates) {
     return tl::unexpected(Error{ErrorCode::kLimitExceeded,

@@ -53,7 +53,7 @@ Json BasePartJson(const BaseSearch& search, std::vector<BaseTrial> done, bool co
 struct BaseAnswer {
   std::vector<BaseTrial> ranked;    ///< Best first.
   std::string explanation;          ///< Why there is no best one; empty when there is.
-  Json json = {};                   ///< The result as docs/manifold.md describes it.
+  Json json;                        ///< The result as docs/manifold.md describes it.
   ExitStatus status = kExitSolved;  ///< kExitInfeasible where there is no best one.
 };
 

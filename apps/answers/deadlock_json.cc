@@ -75,6 +75,7 @@ std::vector<DeadlockCause> CausesOf(const World& world, const GridManifold& mani
     cause.closed += deadlock.closed;
   }
   std::vector<DeadlockCause> causes;
+  causes.reserve(by_name.size());
   for (auto& [name, cause] : by_name) causes.push_back(std::move(cause));
   std::stable_sort(causes.begin(), causes.end(),
                    [](const DeadlockCause& a, const DeadlockCause& b) { return a.closed > b.closed; });

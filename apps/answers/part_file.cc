@@ -12,10 +12,10 @@ Expected<Json> ParsePart(const PartKind& kind, std::string_view text, const std:
   auto json = ReadingPart(kind, name, [text] { return Json::parse(text); });
   if (!json) return json;
   if (!json->is_object() || !json->contains("part")) return NoPart(kind, name, "it has no key `part`");
-  if (json->value("command", Json()) != kind.command) return NoPart(kind, name, "another command wrote it");
   if (json->at("part") != kind.version) {
     return InvalidInput("was written by another version of tautline: run its shard again", name);
   }
+  if (json->value("command", Json()) != kind.command) return NoPart(kind, name, "another command wrote it");
   return json;
 }
 

@@ -63,7 +63,7 @@ FigureContent ContentOf(const BestBasePicture& picture) {
     content.title += " and has " + AreaOf(picture, best.closed) + " in deadlocks";
     content.notes.emplace_back("Only bases that reach nine tenths of the most that any reaches can be the best.");
   }
-  content.notes.push_back("Numbers are the next best ones.");
+  content.notes.emplace_back("Numbers are the next best ones.");
   content.legend = {{GroundSwatch{.fill = kShades.back()}, "near the best"},
                     {GroundSwatch{.fill = kShades.front()}, "near the worst, or out of the question"}};
   return content;

@@ -75,8 +75,9 @@ TEST(TryBase, CountsWhatTheSlowWayFinds) {
 }
 
 TEST(TryBase, TellsThatABudgetRanOut) {
-  const CellGround ground = Ground({"......", "......"});
-  EXPECT_FALSE(TryBase(ground, {0, 0}, {.length_m = 9, .max_vertices = 3}).complete);
+  const CellGround ground(MakeGrid(150, 150, CellState::kFree), {});
+  EXPECT_TRUE(TryBase(ground, {0, 0}, {.length_m = 300}).complete);
+  EXPECT_FALSE(TryBase(ground, {0, 0}, {.length_m = 300, .max_vertices = 3000}).complete);
 }
 
 }  // namespace
