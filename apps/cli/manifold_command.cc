@@ -76,8 +76,9 @@ std::string ToText(const World& world, const ManifoldAnswer& answer) {
   if (answer.json.contains("field")) {
     const Json& field = answer.json.at("field");
     text += fmt::format("  goal     {}", Counted(field.at("goal_vertices").get<std::size_t>(), "vertex", "vertices"));
-    if (field.contains("from_base"))
+    if (field.contains("from_base")) {
       text += fmt::format(", {} from the base", Metres(field.at("from_base").get<double>()));
+    }
     text += "\n";
   }
   if (answer.deadlocks) text += DescribeDeadlocks(world, answer);
