@@ -77,10 +77,12 @@ TEST(Ask, OptionsReachTheFleetCommands) {
   EXPECT_EQ(layouts["all"], 2);
   const Json bent = Json::parse(AskAbout("fleet plan", kTwoRobots, R"({"mode": "bent-sequential"})").answer);
   EXPECT_EQ(bent["mode"], "bent-sequential");
-  const Json wide = Json::parse(AskAbout("fleet plan", kTwoRobots, R"({"gap": 9})").answer);
-  EXPECT_EQ(wide["reason"], "gap_too_wide");
-  EXPECT_EQ(AskAbout("fleet simulate", kTwoRobots, R"({"order": ["r1", "r2"]})").status, 0);
-  EXPECT_EQ(AskAbout("fleet simulate", kTwoRobots, R"({"order": ["r2", "r1"]})").status, 3);
+  const Json close = Json::parse(AskAbout("fleet plan", kTwoRobots).answer);
+  const Json wide = Json::parse(AskAbout("fleet plan", kTwoRobots, R"({"gap": 1, "speeds": true})").answer);
+  EXPECT_NEAR(wide["travel_time"].get<double>(), close["travel_time"].get<double>() + 2, 1e-9);
+  EXPECT_EQ(wide["schedule"].dump().find("wait"), std::string::npos);
+  EXPECT_EQ(AskAbout("fleet simulate", kTwoRobots, R"({"order": ["r2", "r1"]})").status, 0);
+  EXPECT_EQ(AskAbout("fleet simulate", kTwoRobots, R"({"order": ["r1", "r2"]})").status, 3);
 }
 
 TEST(Ask, FilmsTheMotionWhereAsked) {
