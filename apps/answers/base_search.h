@@ -50,7 +50,7 @@ Json BasePartJson(const BaseSearch& search, std::vector<BaseTrial> done, bool co
 [[nodiscard]] Expected<std::vector<BaseTrial>> ReadBasePart(const BaseSearch& search, std::string_view text,
                                                             const std::string& name);
 
-struct BaseAnswer {  // NOLINT(bugprone-exception-escape): nlohmann::json checks itself when moved.
+struct BaseAnswer {                 // NOLINT(bugprone-exception-escape): nlohmann::json checks itself when moved.
   std::vector<BaseTrial> ranked;    ///< Best first.
   std::string explanation;          ///< Why there is no best one; empty when there is.
   Json json;                        ///< The result as docs/manifold.md describes it.
