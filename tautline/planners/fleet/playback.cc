@@ -42,18 +42,6 @@ Point PlaceAt(const Track& track, double along) {
   return Lerp(track.points[k], track.points[k + 1], (along - track.along[k]) / (track.along[k + 1] - track.along[k]));
 }
 
-double SizeOf(const FleetGround& ground) {
-  Box box;
-  double farthest = 0;
-  for (std::size_t k = 0; k < ground.node_count(); ++k) {
-    const Point p = ground.point(FleetNodeId(k));
-    box.Add(p);
-    farthest = std::max({farthest, std::fabs(p.x), std::fabs(p.y)});
-  }
-  // Where coordinates are large, so is their rounding.
-  return std::max(Norm(box.size()), 1e-2 * farthest);
-}
-
 /// The pins of a fleet: the bases, the corners that are at no base, and the robots.
 struct FleetPins {
   explicit FleetPins(const FleetGround& ground) : robots(ground.size()) {
@@ -168,12 +156,13 @@ class Stage {
       : ground_(ground),
         schedule_(schedule),
         pins_(ground),
-        size_(SizeOf(ground)),
+        size_(SizeOfGround(ground)),
         strings_(pins_.points, NodesOf(ground)) {
     for (std::size_t i = 0; i < ground.size(); ++i) strings_.Tie(PinId(i), pins_.robot(RobotId(i)));
     std::vector<Route> routes;
     for (const RobotSchedule& robot : schedule) routes.push_back(robot.path.route);
     lines_ = SideBySide(ground, routes);
+    tracks_.reserve(lines_.size());
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       Polyline& line = lines_[i];
       if (pins_.at_corner[i]) line.back() = Lerp(line.back(), line[line.size() - 2], kBeforeCorner);
