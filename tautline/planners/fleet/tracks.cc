@@ -15,24 +15,14 @@ namespace {
 /// Of the size of the fleet's ground: far above rounding, far below what anything is apart.
 constexpr double kTinySpacing = 1e-7;
 /// Share of the coordinates that counts as size where a ground is far from the origin: shares of it that are told apart
-/// from each other, of 1e-11 and more, are above the rounding of coordinates then.
-constexpr double kFarAway = 1e-3;
-/// A few units in the last place, as a share of coordinates.
-constexpr double kRounding = 1e-15;
+/// from each other, of 1e-12 and more, are above the rounding of coordinates then.
+constexpr double kFarAway = 1e-2;
+/// The least spacing that can be told from rounding, as a share of the ground's size.
+constexpr double kLeastSpacing = 2e-11;
 /// How many spacings farther off a track keeps from the tip of a sharp turn, at most.
 constexpr double kLongestMitre = 3;
 
 Point LeftOf(Point p) { return {-p.y, p.x}; }
-
-/// The largest coordinate, metres: that of which rounding is a share.
-double FarthestOf(const FleetGround& ground) {
-  double farthest = 0;
-  for (std::size_t k = 0; k < ground.node_count(); ++k) {
-    const Point p = ground.point(FleetNodeId(k));
-    farthest = std::max({farthest, std::fabs(p.x), std::fabs(p.y)});
-  }
-  return farthest;
-}
 
 /// A route's passage of a node, walked in one of both directions.
 struct Strand {
@@ -58,11 +48,11 @@ class Weaver {
   std::optional<NearMiss> FindNearMiss() {
     Settle();
     FindReaches();
-    const double rounding = kRounding * FarthestOf(ground_);
+    const double least = kLeastSpacing * SizeOfGround(ground_);
     std::optional<NearMiss> found;
-    ForEachBeside([&] { return Room() * rounding; },
+    ForEachBeside([&] { return Room() * least; },
                   [&](std::size_t route, FleetNodeId node, double distance) {
-                    if (!found && distance < Room() * rounding) found = {route, node};
+                    if (!found && distance < Room() * least) found = {route, node};
                   });
     return found;
   }
@@ -334,8 +324,13 @@ class Weaver {
 
 double SizeOfGround(const FleetGround& ground) {
   Box box;
-  for (std::size_t k = 0; k < ground.node_count(); ++k) box.Add(ground.point(FleetNodeId(k)));
-  return std::max(Norm(box.size()), kFarAway * FarthestOf(ground));
+  double farthest = 0;
+  for (std::size_t k = 0; k < ground.node_count(); ++k) {
+    const Point p = ground.point(FleetNodeId(k));
+    box.Add(p);
+    farthest = std::max({farthest, std::fabs(p.x), std::fabs(p.y)});
+  }
+  return std::max(Norm(box.size()), kFarAway * farthest);
 }
 
 std::optional<NearMiss> FindNearMiss(const FleetGround& ground, const std::vector<Route>& routes) {
