@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "tautline/base/check.h"
-#include "tautline/geometry/predicates.h"
 #include "tautline/planners/fleet/playback.h"
 #include "tautline/planners/fleet/robot_paths.h"
 #include "tautline/planners/fleet/schedule.h"
@@ -258,18 +257,21 @@ class Planner {
     }
   }
 
-  /// The way along its cable line, which passes targets that it leads straight over on the side that leaves them where
-  /// their robots come from.
-  RobotPath DetourOf(std::size_t robot, const std::vector<RobotPath>& paths) const {
-    RobotPath path = cables_[robot];
-    for (std::size_t i = 1; i + 1 < path.route.size(); ++i) {
-      RouteStep& step = path.route[i];
-      if (step.side != Side::kNone || ground_.kind(step.node) != FleetNodeKind::kTarget) continue;
-      const Polyline& other = paths[ground_.robot_at(step.node).index()].points;
-      const int side = Orientation(path.points[i - 1], path.points[i + 1], other[other.size() - 2]);
-      step.side = side < 0 ? Side::kRight : Side::kLeft;
+  /// Lets detours pass the targets that they lead straight over on the side that leaves them the cables there.
+  void SettleSides(const std::vector<RobotId>& detours, std::vector<RobotPath>& paths) const {
+    std::vector<std::pair<std::size_t, std::size_t>> open;  // Robot and step.
+    for (const RobotId robot : detours) {
+      const Route& route = paths[robot.index()].route;
+      for (std::size_t k = 1; k + 1 < route.size(); ++k) {
+        const bool is_target = ground_.kind(route[k].node) == FleetNodeKind::kTarget;
+        if (is_target && route[k].side == Side::kNone) open.emplace_back(robot.index(), k);
+      }
     }
-    return path;
+    if (open.empty()) return;
+    std::vector<Route> routes;
+    for (const RobotPath& path : paths) routes.push_back(path.route);
+    routes = WithSides(ground_, routes);
+    for (const auto& [robot, step] : open) paths[robot].route[step].side = routes[robot][step].side;
   }
 
   /// Some robots along their cable lines, the others straight.
@@ -280,7 +282,7 @@ class Planner {
       is_detour[robot.index()] = true;
       drive.paths[robot.index()] = cables_[robot.index()];
     }
-    for (const RobotId robot : detours) drive.paths[robot.index()] = DetourOf(robot.index(), drive.paths);
+    SettleSides(detours, drive.paths);
     for (std::size_t k = 0; k < interactions_.orders.size(); ++k) {
       const OrderedContact& order = interactions_.orders[k];
       if (is_detour[order.contact.a.index()] || is_detour[order.contact.b.index()]) continue;
