@@ -14,6 +14,7 @@ namespace tautline {
 /// final once its bucket is done, and nothing depends on the order within a bucket.
 class ManifoldBuilder {
  public:
+  /// Builds `manifold`, which is to outlive it, from its base on.
   ManifoldBuilder(GridManifold& manifold, const ManifoldOptions& options);
 
   /// Everything.
