@@ -114,6 +114,18 @@ TEST(PlanFleet, DetoursOverATargetPassTheCableThatLeadsAlongThem) {
   }
 }
 
+TEST(PlanFleet, RefusesStartsOffAPathByRounding) {
+  // (0.35, 0.35) is on the way from (0.45, 0.75) to (0.3, 0.15) but for rounding.
+  const auto fleet = [](double beside) {
+    return FleetOf({{{0.45, 0.75}, {0.30000000000000004, 0.15000000000000002}},
+                    {{0.35000000000000003 + beside, 0.35000000000000003}, {0.35000000000000003, 0.85000000000000009}}});
+  };
+  const auto plan = PlanOf(fleet(0));
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().obstruction, FleetPlanObstruction::kRobotsMeet);
+  EXPECT_TRUE(PlanOf(fleet(-1e-9)));
+}
+
 TEST(PlanFleet, RobotsKeepTheGapThatIsAskedForAtCrossings) {
   const Scene scene = FleetOf({{{0, 0}, {5.5, 5}, {10, 1}}, {{5, -5}, {5.5, 5}}});
   for (const double gap : {0.1, 0.5, 1.0, 2.0}) {

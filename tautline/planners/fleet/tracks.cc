@@ -19,6 +19,9 @@ constexpr double kTinySpacing = 1e-7;
 constexpr double kFarAway = 1e-2;
 /// The least spacing that can be told from rounding, as a share of the ground's size.
 constexpr double kLeastSpacing = 2e-11;
+/// Places on a segment are rounded by less than this share of the ground's size: some units in the last place of
+/// coordinates, even far away.
+constexpr double kRounding = 1e-13;
 /// How many spacings farther off a track keeps from the tip of a sharp turn, at most.
 constexpr double kLongestMitre = 3;
 
@@ -48,11 +51,12 @@ class Weaver {
   std::optional<NearMiss> FindNearMiss() {
     Settle();
     FindReaches();
-    const double least = kLeastSpacing * SizeOfGround(ground_);
+    const double size = SizeOfGround(ground_), least = Room() * kLeastSpacing * size;
     std::optional<NearMiss> found;
-    ForEachBeside([&] { return Room() * least; },
-                  [&](std::size_t route, FleetNodeId node, double distance) {
-                    if (!found && distance < Room() * least) found = {route, node};
+    ForEachBeside([&] { return least; },
+                  [&](const Beside& beside) {
+                    const double reach = beside.is_laid_off ? least : beside.is_rounded ? kRounding * size : 0;
+                    if (!found && beside.distance < reach) found = {beside.route, beside.node};
                   });
     return found;
   }
@@ -274,8 +278,18 @@ class Weaver {
   /// How far off a leg a node may be, in spacings, without being in the way.
   double Room() const { return 4 * most_; }
 
-  /// Calls `visit(route, node, distance)` for every leg of a route and every node nearer to it than `reach()` but not
-  /// on it, where tracks are laid off one of the two: off the ends of the leg, or off the node.
+  /// A node beside a leg of a route.
+  struct Beside {
+    std::size_t route = 0;
+    FleetNodeId node;
+    double distance = 0;  ///< Metres.
+    /// Whether tracks are laid off one of the two: off the ends of the leg, or off the node.
+    bool is_laid_off = false;
+    /// Whether a robot that stops on the leg, or on its way from or to the node, may stand off its line by rounding.
+    bool is_rounded = false;
+  };
+
+  /// Calls `visit(beside)` for every leg of a route and every node nearer to it than `reach()` but not on it.
   template <class Reach, class Visit>
   void ForEachBeside(Reach reach, Visit visit) const {
     std::vector<BoxIndex::Segment> nodes;
@@ -288,11 +302,13 @@ class Weaver {
       for (std::size_t i = 1; i < routes_[r].size(); ++i) {
         const Point a = At(routes_[r][i - 1]), b = At(routes_[r][i]);
         const bool is_moved = reaches_[r][i - 1] > 0 || reaches_[r][i] > 0;
+        const bool is_slanting = a.x != b.x && a.y != b.y;
         index.ForEachAlong(a, b, reach(), [&](std::size_t k) {
           const Point p = nodes[k].first;
-          // Where nothing is moved, the node and the segment keep their sides however near they are.
-          if (OnSegment(a, b, p) || !(is_moved || passages_.count(FleetNodeId(k)) > 0)) return;
-          visit(r, FleetNodeId(k), DistanceToSegment(p, a, b));
+          const FleetNodeId node(k);
+          if (OnSegment(a, b, p)) return;
+          visit(Beside{r, node, DistanceToSegment(p, a, b), is_moved || passages_.count(node) > 0,
+                       is_slanting || ground_.kind(node) != FleetNodeKind::kCorner});
         });
       }
     }
@@ -308,7 +324,9 @@ class Weaver {
       }
     }
     ForEachBeside([&] { return Room() * spacing; },
-                  [&](std::size_t, FleetNodeId, double distance) { spacing = std::min(spacing, distance / Room()); });
+                  [&](const Beside& beside) {
+                    if (beside.is_laid_off) spacing = std::min(spacing, beside.distance / Room());
+                  });
     return spacing;
   }
 

@@ -19,14 +19,15 @@ std::vector<Route> WithSides(const FleetGround& ground, const std::vector<Route>
 /// tiny shares of the size are well above rounding everywhere. O(nodes).
 double SizeOfGround(const FleetGround& ground);
 
-/// A node that lies off a route by no more than rounding, so that tracks cannot be laid between them.
+/// A node that lies off a route by no more than rounding, so that tracks cannot be laid between them, or robots that
+/// stop on the way may stand on its other side.
 struct NearMiss {
   std::size_t route = 0;  ///< Which route, by position.
   FleetNodeId node;       ///< Which node.
 };
 
-/// The first one where it matters, if any: where routes turn at the node, or the route turns beside it. Cost as
-/// SideBySide.
+/// The first one, if any. Where routes turn at the node, or the route turns beside it, there must be room for tracks;
+/// elsewhere for the rounding of coordinates only. Cost as SideBySide.
 std::optional<NearMiss> FindNearMiss(const FleetGround& ground, const std::vector<Route>& routes);
 
 /// How routes are laid side by side.
