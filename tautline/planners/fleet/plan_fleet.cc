@@ -269,6 +269,7 @@ class Planner {
     }
     if (open.empty()) return;
     std::vector<Route> routes;
+    routes.reserve(paths.size());
     for (const RobotPath& path : paths) routes.push_back(path.route);
     routes = WithSides(ground_, routes);
     for (const auto& [robot, step] : open) paths[robot].route[step].side = routes[robot][step].side;

@@ -198,6 +198,7 @@ class Stage {
         strings_(pins_.points, NodesOf(ground)) {
     for (std::size_t i = 0; i < ground.size(); ++i) strings_.Tie(PinId(i), pins_.robot(RobotId(i)));
     std::vector<Route> routes;
+    routes.reserve(schedule.size());
     for (const RobotSchedule& robot : schedule) routes.push_back(robot.path.route);
     lines_ = SideBySide(ground, routes);
     tracks_.reserve(lines_.size());
