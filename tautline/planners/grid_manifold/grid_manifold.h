@@ -141,14 +141,14 @@ class GridManifold {
     TileMask cells = 0;                   ///< While building: cells whose neighbours are to hear of them.
   };
 
-  GridManifold(CellGround ground, Connectivity connectivity);
+  GridManifold(CellGround ground, const ManifoldOptions& options);
   void IndexPages();
 
   CellGround ground_;
-  PatchAtlas atlas_;
   GridCell base_;
   double length_m_ = 0;
   LatticeDistance limit_ = 0;
+  PatchAtlas atlas_;
   LatticeDistance complete_up_to_ = 0;
   ManifoldStop stop_ = ManifoldStop::kNone;
 

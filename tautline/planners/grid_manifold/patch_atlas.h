@@ -5,17 +5,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "tautline/planners/grid_manifold/cell_ground.h"
 #include "tautline/planners/grid_manifold/tile_relaxation.h"
+#include "tautline/planners/grid_manifold/tile_steps.h"
 #include "tautline/planners/grid_manifold/word_trie.h"
 
 namespace tautline {
-
-/// How a robot steps from cell to cell.
-enum class Connectivity { kFour, kEight };
 
 /// The free cells of each tile of 8 x 8, by connected pieces: patches. Every cell of a patch has a word of its own,
 /// such that steps inside the patch from the word w of the patch lead from w * (word of one cell) to w * (word of the
@@ -30,6 +29,9 @@ class PatchAtlas {
     TileMask from = 0;          ///< The cells that have such a step.
     std::int8_t direction = 0;  ///< Of the step.
     std::int8_t offset = 0;     ///< The number of the cell it leads to, less that of the cell it comes from.
+
+    /// Whether both are equal.
+    friend bool operator==(const Crossing&, const Crossing&) = default;
   };
   /// All steps from one patch to another that change the word in one way.
   struct Link {
@@ -53,8 +55,8 @@ class PatchAtlas {
     int cell = 0;           ///< The cell in its tile.
   };
 
-  /// Cuts the ground into patches. O(cells + patches * rays through them).
-  PatchAtlas(const CellGround& ground, Connectivity connectivity);
+  /// Cuts the ground within reach into patches. O(tiles + patches within reach * rays through them).
+  PatchAtlas(const CellGround& ground, Connectivity connectivity, const TileReach& reach);
 
   /// How robots step in it.
   Connectivity connectivity() const { return connectivity_; }
@@ -73,7 +75,9 @@ class PatchAtlas {
   /// The words that links and cells use.
   const WordTrie& words() const { return words_; }
 
-  /// The place of a free cell. O(patches of its tile).
+  /// The place of a cell; nothing where it is blocked or out of reach. O(patches of its tile).
+  std::optional<Place> FindPlace(GridCell cell) const;
+  /// The same where there is one.
   Place PlaceOf(GridCell cell) const;
   /// The cell of the ground that a cell of a patch is.
   GridCell CellOf(Place place) const;
@@ -92,21 +96,21 @@ class PatchAtlas {
     std::uint32_t first_link = 0;
     std::uint32_t links = 0;
   };
-  /// The word of a cell, where it is not empty.
-  struct CellWord {
+  /// Cells of one word in a patch that has several.
+  struct Part {
     PatchNumber patch = 0;
-    std::int32_t cell = 0;
     WordTrie::WordNumber word = 0;
+    TileMask cells = 0;
   };
 
   Connectivity connectivity_;
-  int tile_columns_ = 0, tile_rows_ = 0;
+  int tile_columns_ = 0;
   std::vector<Patch> patches_;            ///< By tile.
   std::vector<PatchNumber> first_patch_;  ///< By tile; one more at the end.
   std::vector<Shape> shapes_;
   std::vector<Link> links_;
   std::vector<Crossing> crossings_;
-  std::vector<CellWord> cell_words_;  ///< By patch and cell.
+  std::vector<Part> parts_;  ///< By patch, for those with several.
   WordTrie words_;
 };
 
