@@ -137,7 +137,7 @@ class GridManifold {
     std::uint32_t first_value = 0;
     std::uint32_t first_link = 0;
     LatticeDistance key = kUnreached;  ///< While building: the least distance that it was given and has not handed on.
-    LatticeDistance queued = kUnreached;  ///< While building: the key that it waits with.
+    LatticeDistance queued = kUnreached;  ///< While building: the key that it was put into a bucket with.
     TileMask cells = 0;                   ///< While building: cells whose neighbours are to hear of them.
   };
 

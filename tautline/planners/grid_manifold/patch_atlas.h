@@ -35,12 +35,15 @@ class PatchAtlas {
   };
   /// All steps from one patch to another that change the word in one way.
   struct Link {
-    PatchNumber to = 0;                ///< The patch they lead to.
-    WordTrie::WordNumber word = 0;     ///< What they append to the word of the patch, in words().
-    std::uint32_t first_crossing = 0;  ///< Its crossings.
-    std::uint32_t crossings = 0;       ///< How many.
-    std::uint32_t back = 0;            ///< Which link of that patch leads back.
+    PatchNumber to = 0;                 ///< The patch they lead to.
+    WordTrie::WordNumber word = 0;      ///< What they append to the word of the patch, in words().
+    std::uint32_t first_crossing = 0;   ///< Its crossings.
+    std::uint16_t back = 0;             ///< Which link of that patch leads back.
+    std::uint8_t crossings = 0;         ///< How many.
+    std::uint8_t open_side = kNotOpen;  ///< The direction of a straight step across the side of a tile, where both
+                                        ///< patches are whole tiles and all steps between them belong to the link.
   };
+  static constexpr std::uint8_t kNotOpen = 0xff;  ///< Of links that are less than that.
   /// What patches of one form share.
   struct Shape {
     TileMask cells = 0;                       ///< Those of the patch.

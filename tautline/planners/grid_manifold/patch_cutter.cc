@@ -11,6 +11,7 @@ constexpr int kTileCells = kTileSide * kTileSide;
 constexpr TileMask kAll = ~TileMask{0};
 constexpr TileMask kWestColumn = 0x0101010101010101ULL, kSouthRow = 0xff;
 constexpr std::uint32_t kNone = 0xffffffffU;
+constexpr std::uint16_t kNoLink = 0xffff;
 
 constexpr TileMask ColumnCells(int column) { return kWestColumn << column; }
 constexpr TileMask RowCells(int row) { return kSouthRow << (kTileSide * row); }
@@ -264,7 +265,7 @@ void PatchCutter::LinkTile(int tile) {
   }
   for (auto& [offset, link] : plain_links_) {
     for (std::size_t i = 0; i < plain_links_.size(); ++i) {
-      if (plain_links_[i].first == -offset) link.back = static_cast<std::uint32_t>(i);
+      if (plain_links_[i].first == -offset) link.back = static_cast<std::uint16_t>(i);
     }
   }
 }
@@ -277,7 +278,7 @@ void PatchCutter::CopyPlainLinks(PatchNumber patch) {
   for (auto [offset, link] : plain_links_) {
     const int beside = static_cast<int>(here.tile) + offset;
     link.to = atlas_.first_patch_[static_cast<std::size_t>(beside)];
-    if (!IsAmongPlain(beside)) link.back = kNone;
+    if (!IsAmongPlain(beside)) link.back = kNoLink;
     atlas_.links_.push_back(link);
   }
 }
@@ -343,8 +344,23 @@ void PatchCutter::StoreLinks(PatchNumber patch) {
   atlas_.patches_[patch].first_link = static_cast<std::uint32_t>(atlas_.links_.size());
   atlas_.patches_[patch].links = static_cast<std::uint32_t>(growing_.size());
   for (const GrowingLink& link : growing_) {
-    atlas_.links_.push_back({link.to, link.word, CrossingNumber(link), link.count, kNone});
+    atlas_.links_.push_back({link.to, link.word, CrossingNumber(link), kNoLink, link.count, OpenSide(patch, link)});
   }
+}
+
+std::uint8_t PatchCutter::OpenSide(PatchNumber patch, const GrowingLink& link) const {
+  if (atlas_.shape(patch).cells != kAll || atlas_.shape(link.to).cells != kAll) return PatchAtlas::kNotOpen;
+  for (std::size_t side = 0; side < kDirections; side += 2) {
+    const int dx = kStepColumns[side], dy = kStepRows[side];
+    std::size_t open = 0;
+    for (std::size_t i = 0; i < link.count; ++i) {
+      const auto d = static_cast<std::size_t>(link.crossings[i].direction);
+      if (link.crossings[i].from == (Eastward(d, dx) & Northward(d, dy))) ++open;
+    }
+    const std::size_t all = atlas_.connectivity_ == Connectivity::kEight ? 3 : 1;
+    if (open == all && link.count == all) return static_cast<std::uint8_t>(side);
+  }
+  return PatchAtlas::kNotOpen;
 }
 
 /// Where these crossings stand; most patches have the same ones.
@@ -374,14 +390,14 @@ void PatchCutter::PairLinks() {
   for (PatchNumber patch = 0; patch < atlas_.patches_.size(); ++patch) {
     for (std::uint32_t i = 0; i < atlas_.patches_[patch].links; ++i) {
       PatchAtlas::Link& link = atlas_.links_[atlas_.patches_[patch].first_link + i];
-      if (link.back != kNone) continue;
+      if (link.back != kNoLink) continue;
       const WordNumber back = Quotient(WordTrie::kEmpty, link.word);
       const auto others = atlas_.links(link.to);
       const auto found = std::find_if(others.begin(), others.end(), [&](const PatchAtlas::Link& other) {
         return other.to == patch && other.word == back;
       });
       TAUTLINE_CHECK(found != others.end());
-      link.back = static_cast<std::uint32_t>(found - others.begin());
+      link.back = static_cast<std::uint16_t>(found - others.begin());
     }
   }
 }

@@ -32,7 +32,7 @@ class PatchCutter {
   struct GrowingLink {
     PatchNumber to = 0;
     WordNumber word = 0;
-    std::uint32_t count = 0;
+    std::uint8_t count = 0;
     std::array<PatchAtlas::Crossing, kDirections> crossings{};
   };
 
@@ -57,6 +57,7 @@ class PatchCutter {
   void AddExitsTo(PatchNumber patch, std::size_t d, TileMask from, int offset, int to_tile, TileMask across);
   void AddSteps(PatchNumber to, WordNumber word, std::size_t d, int offset, TileMask from);
   void StoreLinks(PatchNumber patch);
+  std::uint8_t OpenSide(PatchNumber patch, const GrowingLink& link) const;
   std::uint32_t CrossingNumber(const GrowingLink& link);
   void PairLinks();
 

@@ -42,6 +42,19 @@ struct alignas(32) TileDistances {
 /// those of OpenMoves(diagonal); their being so saves half of the time. Returns the cells whose distance changed.
 TileMask RelaxTile(const TileMoves& moves, bool open, bool diagonal, TileDistances& distances);
 
+/// The cells that have a distance. `distances` holds those of a whole tile.
+TileMask ReachedCells(const LatticeDistance* distances);
+
+/// What handing distances on across a side changed.
+struct HandedOn {
+  TileMask lowered = 0;                ///< Cells of the other tile whose distance became less.
+  LatticeDistance least = kUnreached;  ///< The least of their distances.
+};
+
+/// Lowers the distances `to` of a whole tile by steps across its side from the one with the distances `from`, which is
+/// to be left in the straight direction `side`, up to a limit; `diagonal`: also by diagonal steps.
+HandedOn HandAcross(int side, bool diagonal, LatticeDistance limit, const LatticeDistance* from, LatticeDistance* to);
+
 }  // namespace tautline
 
 #endif  // TAUTLINE_PLANNERS_GRID_MANIFOLD_TILE_RELAXATION_H_
