@@ -157,7 +157,7 @@ class GridManifold {
   ChunkedArray<Page> pages_;
   ChunkedArray<LatticeDistance> values_;
   ChunkedArray<std::uint32_t> links_;
-  std::vector<std::uint32_t> page_table_;  ///< Open addressing over (patch, word).
+  std::vector<std::uint32_t> page_table_;  ///< While building: open addressing over (patch, word).
   std::vector<std::uint32_t> first_of_patch_, pages_of_patch_;
 };
 

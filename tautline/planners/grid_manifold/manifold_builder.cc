@@ -14,6 +14,12 @@ constexpr std::uint32_t kNoPage = GridManifold::kNoPage;
 /// Pages; fewer are done before another thread wakes up.
 constexpr std::size_t kWorthwhile = 64;
 
+/// Pages of a round: as many as stay in a processor's own memory until they hand on.
+constexpr std::size_t kBatch = 1024;
+
+/// Distances in a line of memory.
+constexpr std::size_t kLine = 16;
+
 /// The bit of a link; the last one stands for all further links, of patches around many islands.
 std::uint64_t BitOf(std::size_t link) { return std::uint64_t{1} << std::min<std::size_t>(link, 63); }
 
@@ -72,21 +78,24 @@ void ManifoldBuilder::InThreads(std::size_t count, const std::function<void(std:
   work(0, count);
 }
 
-/// The pages whose turn it is. Those that came to wait elsewhere with a lower key are left out.
+/// Pages whose turn it is, the last that came first. Those that came to wait elsewhere with a lower key are left out.
 void ManifoldBuilder::TakeBatch(std::size_t bucket) {
   batch_.clear();
-  for (const PageNumber number : buckets_[bucket]) {
-    Page& page = m_.pages_[number];
+  auto& waiting = buckets_[bucket];
+  for (; !waiting.empty() && batch_.size() < kBatch; waiting.pop_back()) {
+    Page& page = m_.pages_[waiting.back()];
     if (static_cast<std::size_t>(page.key / kBucket) != bucket) continue;
     page.key = page.queued = kUnreached;
-    batch_.push_back({.page = number});
+    batch_.push_back({.page = waiting.back()});
   }
-  buckets_[bucket].clear();
 }
 
 void ManifoldBuilder::RunBatch() {
   InRanges(batch_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) Sweep(batch_[i]);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + 4 < end) FetchValues(batch_[i + 4].page);
+      Sweep(batch_[i]);
+    }
   });
   const std::size_t known = m_.page_count_;
   for (const Turn& turn : batch_) MakeLinks(turn);
@@ -109,7 +118,8 @@ void ManifoldBuilder::HandOnInColours() {
       for (std::size_t share = colour * kShares + begin; share < colour * kShares + end; ++share) {
         const auto& places = shares_[share];
         for (std::size_t i = 0; i < places.size(); ++i) {
-          if (i + 2 < places.size()) FetchBeside(batch_[places[i + 2]].page);
+          if (i + 8 < places.size()) FetchPagesBeside(batch_[places[i + 8]].page);
+          if (i + 4 < places.size()) FetchBeside(batch_[places[i + 4]].page);
           HandOn(batch_[places[i]], waiting_[share]);
         }
       }
@@ -201,17 +211,37 @@ void ManifoldBuilder::ClearPages(std::size_t first, std::size_t last) {
   }
 }
 
-/// Asks for the memory that handing on will write to, which lies all over.
-void ManifoldBuilder::FetchBeside(PageNumber number) const {
-  constexpr std::size_t kLine = 16;  // Distances.
+/// Asks for the distances of a page.
+void ManifoldBuilder::FetchValues(PageNumber number) const {
+  const Page& page = m_.pages_[number];
+  const std::size_t count = m_.atlas_.shape(page.patch).count;
+  for (std::size_t at = 0; at < count; at += kLine) __builtin_prefetch(&m_.values_[page.first_value + at], 1);
+}
+
+void ManifoldBuilder::FetchPagesBeside(PageNumber number) const {
   const Page& page = m_.pages_[number];
   const std::size_t links = m_.atlas_.links(page.patch).size();
   for (std::size_t i = 0; i < links; ++i) {
     const PageNumber to = m_.links_[page.first_link + i];
+    if (to != kNoPage) __builtin_prefetch(&m_.pages_[to], 1);
+  }
+}
+
+/// Asks for the memory that handing on will write to, which lies all over.
+void ManifoldBuilder::FetchBeside(PageNumber number) const {
+  const Page& page = m_.pages_[number];
+  const auto links = m_.atlas_.links(page.patch);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const PageNumber to = m_.links_[page.first_link + i];
     if (to == kNoPage) continue;
     const Page& other = m_.pages_[to];
-    const std::size_t count = m_.atlas_.shape(other.patch).count;
-    for (std::size_t at = 0; at < count; at += kLine) __builtin_prefetch(&m_.values_[other.first_value + at], 1);
+    const PatchAtlas::Crossing& crossing = m_.atlas_.crossings(links[i])[0];
+    const TileMask cells = Moved(crossing.from, crossing.offset);
+    const PatchAtlas::Shape& shape = m_.atlas_.shape(other.patch);
+    const std::size_t first = shape.position[static_cast<std::size_t>(__builtin_ctzll(cells))];
+    const std::size_t last = shape.position[static_cast<std::size_t>(63 - __builtin_clzll(cells))];
+    for (std::size_t at = first; at < last; at += kLine) __builtin_prefetch(&m_.values_[other.first_value + at], 1);
+    __builtin_prefetch(&m_.values_[other.first_value + last], 1);
   }
 }
 
@@ -264,14 +294,16 @@ void ManifoldBuilder::LetWait(const std::vector<Waiting>& waiting) {
   for (const Waiting& page : waiting) buckets_[page.bucket].push_back(page.page);
 }
 
+/// The pages of one word stand in the order of their patches, so that those beside each other in the ground are mostly
+/// found in the same lines of memory; where another word's stand, they go on far away, still in order.
 std::size_t ManifoldBuilder::Slot(PatchAtlas::PatchNumber patch, WordTrie::WordNumber word) const {
+  constexpr std::size_t kWordStride = 2'654'435'769, kJump = 40'503;
   const std::size_t mask = m_.page_table_.size() - 1;
-  std::uint64_t key = ((std::uint64_t{patch} << 32) | word) * 0x9e3779b97f4a7c15ULL;
-  std::size_t slot = static_cast<std::size_t>(key >> 24) & mask;
+  std::size_t slot = (patch + word * kWordStride) & mask;
   while (m_.page_table_[slot] != kNoPage) {
     const Page& page = m_.pages_[m_.page_table_[slot]];
     if (page.patch == patch && page.word == word) break;
-    slot = (slot + 1) & mask;
+    slot = (slot + kJump) & mask;
   }
   return slot;
 }
@@ -366,6 +398,7 @@ void ManifoldBuilder::Finish() {
       FindLinks(static_cast<std::uint32_t>(page));
     }
   });
+  std::vector<PageNumber>().swap(m_.page_table_);
   if (m_.stop_ != ManifoldStop::kNone || m_.length_m_ <= kFarthestCells * m_.ground_.cell_m()) return;
   for (std::uint32_t page = 0; page < m_.page_count_; ++page) {
     const LatticeDistance* values = &m_.values_[m_.pages_[page].first_value];

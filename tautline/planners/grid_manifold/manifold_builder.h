@@ -57,6 +57,8 @@ class ManifoldBuilder {
   void FollowLinks(Turn& turn);
   void MakeLinks(const Turn& turn);
   void ClearPages(std::size_t first, std::size_t last);
+  void FetchValues(PageNumber number) const;
+  void FetchPagesBeside(PageNumber number) const;
   void FetchBeside(PageNumber number) const;
   void HandOn(const Turn& turn, std::vector<Waiting>& waiting);
   HandedOn HandAcrossLink(const Page& page, const PatchAtlas::Link& link, const Page& other);
