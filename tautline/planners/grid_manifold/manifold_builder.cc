@@ -158,7 +158,7 @@ void ManifoldBuilder::FollowLinks(Turn& turn) {
   for (std::size_t i = 0; i < links.size(); ++i) {
     PageNumber& to = m_.links_[page.first_link + i];
     if (to != kNoPage || !CanCross(page, links[i])) continue;
-    to = Find(links[i].to, FindAcross(page.word, links[i].word));
+    to = Find(PatchAtlas::LinkedTo(page.patch, links[i]), FindAcross(page.word, links[i].word));
     (to == kNoPage ? turn.open_links : turn.fresh_links) |= BitOf(i);
   }
 }
@@ -183,7 +183,7 @@ void ManifoldBuilder::MakeLinks(const Turn& turn) {
     const Page& page = m_.pages_[turn.page];
     if ((turn.open_links & BitOf(i)) == 0 || m_.links_[page.first_link + i] != kNoPage) continue;
     if (i >= 63 && !CanCross(page, links[i])) continue;
-    const PageNumber to = Obtain(links[i].to, WordAcross(page.word, links[i].word));
+    const PageNumber to = Obtain(PatchAtlas::LinkedTo(page.patch, links[i]), WordAcross(page.word, links[i].word));
     m_.links_[page.first_link + i] = to;
     m_.links_[m_.pages_[to].first_link + links[i].back] = turn.page;
   }
@@ -419,7 +419,7 @@ void ManifoldBuilder::FindLinks(PageNumber number) {
     const bool leads_on = std::any_of(crossings.begin(), crossings.end(), [&](const PatchAtlas::Crossing& crossing) {
       return (crossing.from & page.cells) != 0;
     });
-    if (leads_on) to = Find(links[i].to, FindAcross(page.word, links[i].word));
+    if (leads_on) to = Find(PatchAtlas::LinkedTo(page.patch, links[i]), FindAcross(page.word, links[i].word));
   }
 }
 

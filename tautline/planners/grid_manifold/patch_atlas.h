@@ -35,7 +35,7 @@ class PatchAtlas {
   };
   /// All steps from one patch to another that change the word in one way.
   struct Link {
-    PatchNumber to = 0;                 ///< The patch they lead to.
+    std::uint32_t ahead = 0;            ///< How much larger the number of the patch is that they lead to, modulo 2^32.
     WordTrie::WordNumber word = 0;      ///< What they append to the word of the patch, in words().
     std::uint32_t first_crossing = 0;   ///< Its crossings.
     std::uint16_t back = 0;             ///< Which link of that patch leads back.
@@ -67,10 +67,12 @@ class PatchAtlas {
   std::size_t size() const { return patches_.size(); }
   /// The form of a patch.
   const Shape& shape(PatchNumber patch) const { return shapes_[patches_[patch].shape]; }
-  /// Where its steps lead.
+  /// Where its steps lead. Patches in the open share their links.
   std::span<const Link> links(PatchNumber patch) const {
     return std::span<const Link>(links_).subspan(patches_[patch].first_link, patches_[patch].links);
   }
+  /// The patch that a link of a patch leads to.
+  static PatchNumber LinkedTo(PatchNumber patch, const Link& link) { return patch + link.ahead; }
   /// The steps of a link.
   std::span<const Crossing> crossings(const Link& link) const {
     return std::span<const Crossing>(crossings_).subspan(link.first_crossing, link.crossings);

@@ -65,14 +65,15 @@ void PatchCutter::Cut() {
   atlas_.tile_columns_ = steps_.columns();
   const int tiles = steps_.columns() * steps_.rows();
   FindLowestRays();
-  plain_.resize(static_cast<std::size_t>(tiles));
+  openness_.resize(static_cast<std::size_t>(tiles));
   atlas_.first_patch_.reserve(static_cast<std::size_t>(tiles) + 1);
   for (int tile = 0; tile < tiles; ++tile) {
-    plain_[static_cast<std::size_t>(tile)] = steps_.free(tile) == kAll && !HasRay(tile) ? 1 : 0;
+    if (steps_.free(tile) == kAll && !HasRay(tile)) openness_[static_cast<std::size_t>(tile)] = Openness::kPlain;
     atlas_.first_patch_.push_back(static_cast<std::uint32_t>(atlas_.patches_.size()));
     if (steps_.free(tile) != 0) CutTile(tile);
   }
   atlas_.first_patch_.push_back(static_cast<std::uint32_t>(atlas_.patches_.size()));
+  FindOpenness();
   for (int tile = 0; tile < tiles; ++tile) LinkTile(tile);
   PairLinks();
 }
@@ -97,14 +98,23 @@ bool PatchCutter::HasRay(int tile) const {
   return lowest_ray_[static_cast<std::size_t>(steps_.ColumnOf(tile))] <= CellAt(tile, kTileCells - 1).row;
 }
 
-/// Whether all tiles around a tile are plain, and itself.
-bool PatchCutter::IsAmongPlain(int tile) const {
-  if (plain_[static_cast<std::size_t>(tile)] == 0) return false;
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      const int beside = steps_.Beside(tile, x, y);
-      if (beside < 0 || plain_[static_cast<std::size_t>(beside)] == 0) return false;
+void PatchCutter::FindOpenness() {
+  for (const Openness least : {Openness::kPlain, Openness::kAmong}) {
+    const auto more = static_cast<Openness>(static_cast<std::uint8_t>(least) + 1);
+    for (int tile = 0; tile < steps_.columns() * steps_.rows(); ++tile) {
+      Openness& here = openness_[static_cast<std::size_t>(tile)];
+      if (here == least && AllBeside(tile, least)) here = more;
     }
+  }
+}
+
+/// Whether all tiles around a tile are there and so open at least.
+bool PatchCutter::AllBeside(int tile, Openness least) const {
+  const int column = steps_.ColumnOf(tile), row = steps_.RowOf(tile);
+  if (column == 0 || row == 0 || column + 1 == steps_.columns() || row + 1 == steps_.rows()) return false;
+  for (int y = -1; y <= 1; ++y) {
+    const Openness* beside = &openness_[static_cast<std::size_t>(tile + y * steps_.columns() - 1)];
+    if (beside[0] < least || beside[1] < least || beside[2] < least) return false;
   }
   return true;
 }
@@ -155,7 +165,7 @@ PatchCutter::WordNumber PatchCutter::Quotient(WordNumber word, WordNumber diviso
 }
 
 void PatchCutter::CutTile(int tile) {
-  if (plain_[static_cast<std::size_t>(tile)] != 0 && open_shape_) {
+  if (openness_[static_cast<std::size_t>(tile)] == Openness::kPlain && open_shape_) {
     atlas_.patches_.push_back({static_cast<std::uint32_t>(tile), *open_shape_, 0, 0});
     first_part_.push_back(kNone);
     return;
@@ -254,14 +264,21 @@ void PatchCutter::LinkTile(int tile) {
   const PatchNumber first = atlas_.first_patch_[static_cast<std::size_t>(tile)],
                     last = atlas_.first_patch_[static_cast<std::size_t>(tile) + 1];
   if (first == last) return;
-  const bool plain = IsAmongPlain(tile);
-  if (plain && !plain_links_.empty()) return CopyPlainLinks(first);
+  const Openness openness = openness_[static_cast<std::size_t>(tile)];
+  const bool plain = openness >= Openness::kAmong;
+  if (plain && !plain_links_.empty())
+    return openness == Openness::kDeep ? SharePlainLinks(first) : CopyPlainLinks(first);
   const TileMoves steps = steps_.From(tile);
   const TileMoves crossings = HasRay(tile) ? RayCrossings(tile) : TileMoves{};
   for (PatchNumber patch = first; patch < last; ++patch) FindLinks(patch, steps, crossings);
-  if (!plain) return;
-  for (const PatchAtlas::Link& link : atlas_.links(first)) {
-    plain_links_.emplace_back(static_cast<int>(atlas_.patches_[link.to].tile) - tile, link);
+  if (plain) KeepPlainLinks(first);
+}
+
+/// The links of patches among plain tiles are all alike.
+void PatchCutter::KeepPlainLinks(PatchNumber patch) {
+  const auto tile = static_cast<int>(atlas_.patches_[patch].tile);
+  for (const PatchAtlas::Link& link : atlas_.links(patch)) {
+    plain_links_.emplace_back(static_cast<int>(atlas_.patches_[PatchAtlas::LinkedTo(patch, link)].tile) - tile, link);
   }
   for (auto& [offset, link] : plain_links_) {
     for (std::size_t i = 0; i < plain_links_.size(); ++i) {
@@ -270,17 +287,32 @@ void PatchCutter::LinkTile(int tile) {
   }
 }
 
-/// The links of patches among plain tiles are all alike.
 void PatchCutter::CopyPlainLinks(PatchNumber patch) {
   PatchAtlas::Patch& here = atlas_.patches_[patch];
   here.first_link = static_cast<std::uint32_t>(atlas_.links_.size());
   here.links = static_cast<std::uint32_t>(plain_links_.size());
   for (auto [offset, link] : plain_links_) {
-    const int beside = static_cast<int>(here.tile) + offset;
-    link.to = atlas_.first_patch_[static_cast<std::size_t>(beside)];
-    if (!IsAmongPlain(beside)) link.back = kNoLink;
+    const auto beside = static_cast<std::size_t>(static_cast<int>(here.tile) + offset);
+    link.ahead = atlas_.first_patch_[beside] - patch;
+    if (openness_[beside] < Openness::kAmong) link.back = kNoLink;
     atlas_.links_.push_back(link);
   }
+}
+
+/// Patches from which those to the north and south are as far ahead as from the patch before have its links.
+void PatchCutter::SharePlainLinks(PatchNumber patch) {
+  PatchAtlas::Patch& here = atlas_.patches_[patch];
+  const std::size_t row = static_cast<std::size_t>(steps_.columns());
+  const std::uint32_t north = atlas_.first_patch_[here.tile + row] - patch,
+                      south = atlas_.first_patch_[here.tile - row] - patch;
+  if (shared_links_ == kNone || north != shared_north_ || south != shared_south_) {
+    CopyPlainLinks(patch);
+    shared_links_ = here.first_link;
+    shared_north_ = north;
+    shared_south_ = south;
+  }
+  here.first_link = shared_links_;
+  here.links = static_cast<std::uint32_t>(plain_links_.size());
 }
 
 void PatchCutter::FindLinks(PatchNumber patch, const TileMoves& steps, const TileMoves& crossings) {
@@ -344,7 +376,8 @@ void PatchCutter::StoreLinks(PatchNumber patch) {
   atlas_.patches_[patch].first_link = static_cast<std::uint32_t>(atlas_.links_.size());
   atlas_.patches_[patch].links = static_cast<std::uint32_t>(growing_.size());
   for (const GrowingLink& link : growing_) {
-    atlas_.links_.push_back({link.to, link.word, CrossingNumber(link), kNoLink, link.count, OpenSide(patch, link)});
+    atlas_.links_.push_back(
+        {link.to - patch, link.word, CrossingNumber(link), kNoLink, link.count, OpenSide(patch, link)});
   }
 }
 
@@ -385,16 +418,18 @@ std::uint32_t PatchCutter::CrossingNumber(const GrowingLink& link) {
   }
 }
 
-/// Finds for each link the one that leads back.
+/// Finds for each link the one that leads back, where that is not known yet.
 void PatchCutter::PairLinks() {
   for (PatchNumber patch = 0; patch < atlas_.patches_.size(); ++patch) {
+    if (openness_[atlas_.patches_[patch].tile] == Openness::kDeep) continue;
     for (std::uint32_t i = 0; i < atlas_.patches_[patch].links; ++i) {
       PatchAtlas::Link& link = atlas_.links_[atlas_.patches_[patch].first_link + i];
       if (link.back != kNoLink) continue;
+      const PatchNumber to = PatchAtlas::LinkedTo(patch, link);
       const WordNumber back = Quotient(WordTrie::kEmpty, link.word);
-      const auto others = atlas_.links(link.to);
+      const auto others = atlas_.links(to);
       const auto found = std::find_if(others.begin(), others.end(), [&](const PatchAtlas::Link& other) {
-        return other.to == patch && other.word == back;
+        return PatchAtlas::LinkedTo(to, other) == patch && other.word == back;
       });
       TAUTLINE_CHECK(found != others.end());
       link.back = static_cast<std::uint16_t>(found - others.begin());

@@ -28,6 +28,14 @@ class PatchCutter {
   using PatchNumber = PatchAtlas::PatchNumber;
   using Part = PatchAtlas::Part;
 
+  /// How far a tile is from anything that makes it special.
+  enum class Openness : std::uint8_t {
+    kNone,   ///< Not whole, or a ray is near.
+    kPlain,  ///< It is whole and free, and no ray is near.
+    kAmong,  ///< So are all tiles around it: its links are the plain ones.
+    kDeep,   ///< Those around it are kAmong: its links lead back as everywhere.
+  };
+
   /// A link while its steps are collected: at most one crossing for each direction.
   struct GrowingLink {
     PatchNumber to = 0;
@@ -38,7 +46,8 @@ class PatchCutter {
 
   void FindLowestRays();
   bool HasRay(int tile) const;
-  bool IsAmongPlain(int tile) const;
+  void FindOpenness();
+  bool AllBeside(int tile, Openness least) const;
   GridCell CellAt(int tile, int cell) const;
   TileMoves RayCrossings(int tile) const;
   WordNumber AfterStep(WordNumber word, GridCell from, std::size_t d);
@@ -51,7 +60,9 @@ class PatchCutter {
   std::span<const Part> PartsOf(PatchNumber patch, Part& whole) const;
 
   void LinkTile(int tile);
+  void KeepPlainLinks(PatchNumber patch);
   void CopyPlainLinks(PatchNumber patch);
+  void SharePlainLinks(PatchNumber patch);
   void FindLinks(PatchNumber patch, const TileMoves& steps, const TileMoves& crossings);
   void AddExits(PatchNumber patch, std::size_t d, TileMask from, const TileMoves& crossings);
   void AddExitsTo(PatchNumber patch, std::size_t d, TileMask from, int offset, int to_tile, TileMask across);
@@ -66,10 +77,12 @@ class PatchCutter {
   TileSteps steps_;
   std::vector<int> lowest_at_;             ///< By column, the row above which the lowest ray before it runs.
   std::vector<int> lowest_ray_;            ///< By column of tiles; the number of rows where there is none.
-  std::vector<std::uint8_t> plain_;        ///< By tile: whether it is whole and free and no ray is near.
+  std::vector<Openness> openness_;  ///< By tile.
   std::vector<std::uint32_t> first_part_;  ///< By patch; kNone where it has one word.
   std::optional<std::uint32_t> open_shape_;
   std::vector<std::pair<int, PatchAtlas::Link>> plain_links_;  ///< With how much later their tiles come.
+  std::uint32_t shared_north_ = 0, shared_south_ = 0;  ///< How far ahead patches to the north and south are for the...
+  std::uint32_t shared_links_ = 0xffffffffU;           ///< ...links that were shared last.
   std::vector<GrowingLink> growing_;
   std::unordered_map<std::uint64_t, std::uint32_t> shape_numbers_, crossing_numbers_;  ///< By a hash of what they are.
 };
