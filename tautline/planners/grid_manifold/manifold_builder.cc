@@ -27,7 +27,10 @@ std::uint64_t BitOf(std::size_t link) { return std::uint64_t{1} << std::min<std:
 
 ManifoldBuilder::ManifoldBuilder(GridManifold& manifold, const ManifoldOptions& options)
     : m_(manifold), options_(options) {
-  m_.page_table_.assign(64, kNoPage);
+  // Most patches within reach get a page, in open ground hardly more than one.
+  std::size_t slots = 64;
+  while (slots < 2 * m_.atlas_.size()) slots *= 2;
+  m_.page_table_.assign(slots, kNoPage);
   buckets_.resize(static_cast<std::size_t>(m_.limit_ / kBucket) + 1);
 }
 
@@ -111,17 +114,14 @@ void ManifoldBuilder::RunBatch() {
 }
 
 void ManifoldBuilder::HandOnInColours() {
-  for (auto& share : shares_) share.clear();
-  for (std::uint32_t i = 0; i < batch_.size(); ++i) shares_[batch_[i].share].push_back(i);
+  SortByShare();
   for (std::size_t colour = 0; colour < kColours; ++colour) {
     InThreads(kShares, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t share = colour * kShares + begin; share < colour * kShares + end; ++share) {
-        const auto& places = shares_[share];
-        for (std::size_t i = 0; i < places.size(); ++i) {
-          if (i + 8 < places.size()) FetchPagesBeside(batch_[places[i + 8]].page);
-          if (i + 4 < places.size()) FetchBeside(batch_[places[i + 4]].page);
-          HandOn(batch_[places[i]], waiting_[share]);
-        }
+      const std::size_t last = first_of_share_[colour * kShares + end];
+      for (std::size_t i = first_of_share_[colour * kShares + begin]; i < last; ++i) {
+        if (i + 8 < last) FetchPagesBeside(batch_[order_[i + 8]].page);
+        if (i + 4 < last) FetchBeside(batch_[order_[i + 4]].page);
+        HandOn(batch_[order_[i]], waiting_[batch_[order_[i]].share]);
       }
     });
   }
@@ -129,6 +129,16 @@ void ManifoldBuilder::HandOnInColours() {
     LetWait(waiting);
     waiting.clear();
   }
+}
+
+/// Lists the batch by share, in each in the order of the batch.
+void ManifoldBuilder::SortByShare() {
+  first_of_share_.fill(0);
+  for (const Turn& turn : batch_) ++first_of_share_[turn.share + 1];
+  for (std::size_t i = 1; i < first_of_share_.size(); ++i) first_of_share_[i] += first_of_share_[i - 1];
+  auto next = first_of_share_;
+  order_.resize(batch_.size());
+  for (std::uint32_t i = 0; i < batch_.size(); ++i) order_[next[batch_[i].share]++] = i;
 }
 
 std::uint32_t ManifoldBuilder::ShareOf(const Page& page) const {
@@ -144,7 +154,8 @@ void ManifoldBuilder::Sweep(Turn& turn) {
   LatticeDistance* values = &m_.values_[page.first_value];
   TileDistances tile;
   LoadTile(shape, values, tile);
-  page.cells |= RelaxTile(shape.moves, shape.open, m_.atlas_.connectivity() == Connectivity::kEight, tile);
+  const bool diagonal = m_.atlas_.connectivity() == Connectivity::kEight;
+  page.cells |= RelaxTile(shape.moves, shape.open, diagonal, tile) & shape.cells;
   for (std::size_t i = 0; i < tile.at.size(); ++i) tile.at[i] = tile.at[i] > m_.limit_ ? kUnreached : tile.at[i];
   StoreTile(shape, tile, values);
   turn.share = ShareOf(page);

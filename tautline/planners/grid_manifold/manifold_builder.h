@@ -30,7 +30,7 @@ class ManifoldBuilder {
   /// Blocks of 2 x 2 tiles of one colour have no neighbours in common; pages of one block are in one share of a colour,
   /// so that no two threads write to one page.
   static constexpr std::size_t kColours = 4;
-  static constexpr std::size_t kShares = 32;
+  static constexpr std::size_t kShares = 64;
   /// Narrow enough that pages are hardly ever swept twice, and wide enough for rounds that are worth two threads.
   static constexpr LatticeDistance kBucket = 2 * kStraightStep;
 
@@ -51,6 +51,7 @@ class ManifoldBuilder {
   void TakeBatch(std::size_t bucket);
   void RunBatch();
   void HandOnInColours();
+  void SortByShare();
   void InRanges(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) const;
   void InThreads(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) const;
   void Sweep(Turn& turn);
@@ -81,7 +82,8 @@ class ManifoldBuilder {
   const ManifoldOptions& options_;
   std::vector<std::vector<PageNumber>> buckets_;
   std::vector<Turn> batch_;
-  std::array<std::vector<std::uint32_t>, kColours * kShares> shares_;  ///< Places in the batch.
+  std::vector<std::uint32_t> order_;  ///< Places in the batch, by share.
+  std::array<std::uint32_t, kColours * kShares + 1> first_of_share_{};
   std::array<std::vector<Waiting>, kColours * kShares> waiting_;
   std::size_t next_check_ = 0;  ///< Values after which the vertices are counted next.
 };

@@ -50,7 +50,7 @@ class PatchAtlas {
     TileMoves moves{};                        ///< The steps inside of it.
     std::array<std::uint8_t, 64> position{};  ///< By cell of the patch, how many of its cells come before.
     std::uint8_t count = 0;                   ///< How many cells it has.
-    bool open = false;                        ///< The whole tile with all steps.
+    bool open = false;                        ///< A rectangle with all steps.
   };
   /// A cell of a patch.
   struct Place {

@@ -51,6 +51,16 @@ TileMask Flood(TileMask cells, const TileMoves& moves) {
   return cells;
 }
 
+/// Whether all cells between the outermost are in the set.
+bool IsRectangle(TileMask cells) {
+  const TileMask lowest = cells >> (__builtin_ctzll(cells) / kTileSide * kTileSide) & kSouthRow;
+  for (; cells != 0; cells &= ~RowCells(__builtin_ctzll(cells) / kTileSide)) {
+    if ((cells >> (__builtin_ctzll(cells) / kTileSide * kTileSide) & kSouthRow) != lowest) return false;
+  }
+  const TileMask from_first = lowest >> __builtin_ctzll(lowest);
+  return (from_first & (from_first + 1)) == 0;
+}
+
 void Mix(std::uint64_t value, std::uint64_t& hash) {
   hash = (hash ^ value) * 0x9e3779b97f4a7c15ULL;
   hash ^= hash >> 29;
@@ -224,7 +234,7 @@ void PatchCutter::AddPatch(int tile, TileMask cells, const TileMoves& moves) {
   TileMoves within{};
   for (std::size_t d = 0; d < kDirections; ++d) within[d] = moves[d] & cells;
   const std::uint32_t shape = ShapeNumber(cells, within);
-  if (atlas_.shapes_[shape].open) open_shape_ = shape;
+  if (cells == kAll && atlas_.shapes_[shape].open) open_shape_ = shape;
   atlas_.patches_.push_back({static_cast<std::uint32_t>(tile), shape, 0, 0});
   first_part_.push_back(kNone);
 }
@@ -243,7 +253,8 @@ std::uint32_t PatchCutter::ShapeNumber(TileMask cells, const TileMoves& moves) {
   for (int cell = 0; cell < kTileCells; ++cell) {
     if ((cells >> cell & 1) != 0) shape.position[static_cast<std::size_t>(cell)] = shape.count++;
   }
-  shape.open = cells == kAll && moves == OpenMoves(atlas_.connectivity_ == Connectivity::kEight);
+  shape.open =
+      IsRectangle(cells) && moves == MovesWithin(OpenMoves(atlas_.connectivity_ == Connectivity::kEight), cells);
   atlas_.shapes_.push_back(shape);
   return static_cast<std::uint32_t>(atlas_.shapes_.size() - 1);
 }

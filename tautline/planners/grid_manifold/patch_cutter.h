@@ -77,7 +77,7 @@ class PatchCutter {
   TileSteps steps_;
   std::vector<int> lowest_at_;             ///< By column, the row above which the lowest ray before it runs.
   std::vector<int> lowest_ray_;            ///< By column of tiles; the number of rows where there is none.
-  std::vector<Openness> openness_;  ///< By tile.
+  std::vector<Openness> openness_;         ///< By tile.
   std::vector<std::uint32_t> first_part_;  ///< By patch; kNone where it has one word.
   std::optional<std::uint32_t> open_shape_;
   std::vector<std::pair<int, PatchAtlas::Link>> plain_links_;  ///< With how much later their tiles come.

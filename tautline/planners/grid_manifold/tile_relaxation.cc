@@ -67,7 +67,7 @@ inline void StepOpen(Row& row, const Row& beside, bool diagonal) {
   LowerTo(row, east + kDiagonalStep);
 }
 
-/// In an open tile a shortest way is straight east or west first and then all north or all south: one pass does.
+/// Without walls a shortest way is straight east or west first and then all north or all south: one pass does.
 inline void SweepOpen(Row* rows, bool diagonal) {
   for (int i = 0; i < kTileSide; ++i) {
     SpreadOpen<1>(rows[i]);
