@@ -60,13 +60,9 @@ std::optional<ManifoldVertex> GridManifold::Find(GridCell cell, const Word& word
   return std::nullopt;
 }
 
-std::optional<ManifoldVertex> GridManifold::Step(ManifoldVertex v, int direction) const {
-  const auto d = static_cast<std::size_t>(direction);
+/// A step that a link stands for, if any does.
+std::optional<ManifoldVertex> GridManifold::StepOut(ManifoldVertex v, int direction) const {
   const TileMask cell = TileMask{1} << v.cell;
-  if ((atlas_.shape(patch(v.page)).moves[d] & cell) != 0) {
-    const ManifoldVertex to{v.page, v.cell + kTileSide * kStepRows[d] + kStepColumns[d]};
-    return Has(to) ? std::optional(to) : std::nullopt;
-  }
   const auto links = atlas_.links(patch(v.page));
   for (std::size_t i = 0; i < links.size(); ++i) {
     for (const PatchAtlas::Crossing& crossing : atlas_.crossings(links[i])) {

@@ -113,7 +113,12 @@ class GridManifold {
   /// The vertex that a word leads to, or nothing. O(letters + vertices of the cell).
   std::optional<ManifoldVertex> Find(GridCell cell, const Word& word) const;
   /// The vertex that a step leads to, or nothing. Requires Has(v). O(1).
-  std::optional<ManifoldVertex> Step(ManifoldVertex v, int direction) const;
+  std::optional<ManifoldVertex> Step(ManifoldVertex v, int direction) const {
+    const PatchAtlas::Shape& shape = atlas_.shape(patch(v.page));
+    if ((shape.moves[static_cast<std::size_t>(direction)] >> v.cell & 1) == 0) return StepOut(v, direction);
+    const ManifoldVertex to{v.page, v.cell + OffsetOf(static_cast<std::size_t>(direction))};
+    return Has(to) ? std::optional(to) : std::nullopt;
+  }
 
   /// The page that a link of a page leads to, or kNoPage.
   std::uint32_t linked(std::uint32_t page, std::size_t link) const { return links_[pages_[page].first_link + link]; }
@@ -143,6 +148,7 @@ class GridManifold {
 
   GridManifold(CellGround ground, const ManifoldOptions& options);
   void IndexPages();
+  std::optional<ManifoldVertex> StepOut(ManifoldVertex v, int direction) const;
 
   CellGround ground_;
   GridCell base_;
