@@ -61,7 +61,7 @@ struct ManifoldCounts {
 
 /// All (cell, word) whose shortest way from the base is no longer than the tether: one vertex for each homotopy class
 /// of each cell. Two vertices are joined when a step leads from one to the other. Immutable; safe to read from several
-/// threads. About 5 to 10 bytes a vertex.
+/// threads. About 6 to 15 bytes a vertex.
 class GridManifold {
  public:
   /// Builds the manifold from the base outwards. Where it stops early, it has all vertices up to some distance and none

@@ -139,7 +139,8 @@ TileMoves PatchCutter::RayCrossings(int tile) const {
   TileMoves crossings{};
   const GridCell low = CellAt(tile, 0);
   for (int side = 0; side <= kTileSide; ++side) {
-    const int above = lowest_at_[static_cast<std::size_t>(low.column + side)] - low.row;
+    const int column_after = low.column + side;
+    const int above = lowest_at_[static_cast<std::size_t>(column_after)] - low.row;
     if (above >= kTileSide) continue;
     for (std::size_t d = 0; d < kDirections; ++d) {
       const int column = kStepColumns[d] > 0 ? side - 1 : side;
@@ -207,8 +208,9 @@ void PatchCutter::CutAcrossRays(int tile, TileMask cells, const TileMoves& insid
   const auto add = [&](int start, WordNumber word) {
     const TileMask part = Flood(TileMask{1} << start, level);
     reached |= part;
-    for (TileMask left = part; left != 0; left &= left - 1)
+    for (TileMask left = part; left != 0; left &= left - 1) {
       words[static_cast<std::size_t>(__builtin_ctzll(left))] = word;
+    }
     atlas_.parts_.push_back({patch, word, part});
   };
   add(__builtin_ctzll(cells), WordTrie::kEmpty);
@@ -277,8 +279,9 @@ void PatchCutter::LinkTile(int tile) {
   if (first == last) return;
   const Openness openness = openness_[static_cast<std::size_t>(tile)];
   const bool plain = openness >= Openness::kAmong;
-  if (plain && !plain_links_.empty())
+  if (plain && !plain_links_.empty()) {
     return openness == Openness::kDeep ? SharePlainLinks(first) : CopyPlainLinks(first);
+  }
   const TileMoves steps = steps_.From(tile);
   const TileMoves crossings = HasRay(tile) ? RayCrossings(tile) : TileMoves{};
   for (PatchNumber patch = first; patch < last; ++patch) FindLinks(patch, steps, crossings);
@@ -303,7 +306,7 @@ void PatchCutter::CopyPlainLinks(PatchNumber patch) {
   here.first_link = static_cast<std::uint32_t>(atlas_.links_.size());
   here.links = static_cast<std::uint32_t>(plain_links_.size());
   for (auto [offset, link] : plain_links_) {
-    const auto beside = static_cast<std::size_t>(static_cast<int>(here.tile) + offset);
+    const std::uint32_t beside = here.tile + static_cast<std::uint32_t>(offset);
     link.ahead = atlas_.first_patch_[beside] - patch;
     if (openness_[beside] < Openness::kAmong) link.back = kNoLink;
     atlas_.links_.push_back(link);
@@ -398,7 +401,7 @@ std::uint8_t PatchCutter::OpenSide(PatchNumber patch, const GrowingLink& link) c
     const int dx = kStepColumns[side], dy = kStepRows[side];
     std::size_t open = 0;
     for (std::size_t i = 0; i < link.count; ++i) {
-      const auto d = static_cast<std::size_t>(link.crossings[i].direction);
+      const auto d = static_cast<std::uint8_t>(link.crossings[i].direction);
       if (link.crossings[i].from == (Eastward(d, dx) & Northward(d, dy))) ++open;
     }
     const std::size_t all = atlas_.connectivity_ == Connectivity::kEight ? 3 : 1;

@@ -237,9 +237,9 @@ TileMask RelaxTile(const TileMoves& moves, bool open, bool diagonal, TileDistanc
 TAUTLINE_WIDE_VECTORS
 TileMask ReachedCells(const LatticeDistance* distances) {
   Row columns{};
-  for (int i = 0; i < kTileSide; ++i) {
+  for (int i = 0; i < kTileSide; ++i, distances += kTileSide) {
     Row row;
-    std::memcpy(&row, distances + kTileSide * i, sizeof row);
+    std::memcpy(&row, distances, sizeof row);
     columns |= (row < kFar) & (1 << i);
   }
   return FromColumns(columns);
@@ -249,13 +249,14 @@ TAUTLINE_WIDE_VECTORS
 HandedOn HandAcross(int side, bool diagonal, LatticeDistance limit, const LatticeDistance* from, LatticeDistance* to) {
   const bool level = side % 4 == 0;  // East or west: the lanes are those of a column.
   const int near = side == 0 || side == 2 ? kTileSide - 1 : 0, beyond = kTileSide - 1 - near;
+  const int near_row = kTileSide * near, beyond_row = kTileSide * beyond;
   Row beside, offers = kFar, values;
   if (level) {
     LoadColumn(from, near, beside);
     LoadColumn(to, beyond, values);
   } else {
-    std::memcpy(&beside, from + kTileSide * near, sizeof beside);
-    std::memcpy(&values, to + kTileSide * beyond, sizeof values);
+    std::memcpy(&beside, from + near_row, sizeof beside);
+    std::memcpy(&values, to + beyond_row, sizeof values);
   }
   StepOpen(offers, beside, diagonal);
   const Row lower = (offers < values) & (offers <= limit);
@@ -264,7 +265,7 @@ HandedOn HandAcross(int side, bool diagonal, LatticeDistance limit, const Lattic
   if (level) {
     StoreColumn(lowered, beyond, to);
   } else {
-    std::memcpy(to + kTileSide * beyond, &lowered, sizeof lowered);
+    std::memcpy(to + beyond_row, &lowered, sizeof lowered);
   }
   HandedOn result;
   const Row least = lower ? offers : kFar;

@@ -48,7 +48,7 @@ TileSteps::TileSteps(const CellGround& ground, Connectivity connectivity, const 
       rows_((ground.rows() + kTileSide - 1) / kTileSide) {
   free_.assign(Padded(columns_, rows_) + 1, 0);
   // Whether a step is allowed depends on cells one step farther than its ends.
-  const std::int64_t limit = std::int64_t{reach.limit} + 2 * kDiagonalStep;
+  const std::int64_t limit = std::int64_t{reach.limit} + 2 * std::int64_t{kDiagonalStep};
   for (int row = 0; row < rows_; ++row) {
     const auto is_within = [&](int column) {
       return OpenWay(Apart(column, reach.from.column), Apart(row, reach.from.row), connectivity) <= limit;
@@ -68,8 +68,8 @@ void TileSteps::ReadRow(const CellGround& ground, int row, int first, int last) 
   for (int i = 0; i < kTileSide && row * kTileSide + i < ground.rows(); ++i) {
     const CellState* cells = &grid.cells[grid.index(0, row * kTileSide + i)];
     for (int column = first; column <= last; ++column) {
-      const int count = std::min(kTileSide, ground.columns() - column * kTileSide);
-      free_[Padded(column, row)] |= FreeBits(cells + column * kTileSide, count) << (kTileSide * i);
+      const int first_cell = column * kTileSide, count = std::min(kTileSide, ground.columns() - first_cell);
+      free_[Padded(column, row)] |= FreeBits(cells + first_cell, count) << (kTileSide * i);
     }
   }
 }
