@@ -9,6 +9,7 @@
 #include "tautline/planners/fleet/playback.h"
 #include "tautline/planners/fleet/robot_paths.h"
 #include "tautline/planners/fleet/schedule.h"
+#include "tautline/planners/fleet/tracks.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline {
@@ -49,6 +50,7 @@ class Planner {
     Tell("shortest paths", 0);
     straight_ = ShortestPaths(ground_, layout_);
     for (std::size_t i = 0; i < ground_.size(); ++i) cables_.push_back(CablePath(ground_, layout_, RobotId(i)));
+    RefuseNearMisses();
     Tell("crossings", 0.2);
     const auto contacts = FindContacts(straight_);
     Tell("who passes first", 0.4);
@@ -75,6 +77,18 @@ class Planner {
     std::vector<OrderedContact> orders;
     std::vector<std::size_t> names;  ///< Of the orders, as FleetEvent::passings has them.
   };
+
+  /// Where something is off a path by no more than rounding, no playback could tell on which side it is passed.
+  void RefuseNearMisses() const {
+    std::vector<Route> routes;
+    for (const auto* paths : {&straight_, &cables_}) {
+      for (const RobotPath& path : *paths) routes.push_back(path.route);
+    }
+    const auto miss = FindNearMiss(ground_, routes);
+    if (!miss) return;
+    const RobotId robot(miss->route % ground_.size()), other = ground_.robot_at(miss->node);
+    throw RobotsMet{{robot, other.valid() ? other : robot, ground_.point(miss->node)}};
+  }
 
   void Tell(std::string_view stage, double share) const {
     if (options_.watch && !options_.watch(stage, share)) throw Stopped();
@@ -429,8 +443,8 @@ std::string Explain(const FleetGround& ground, const FleetPlanFault& fault) {
   }
   const std::string a = ground.robot(fault.robots[0]).name, b = ground.robot(fault.robots[1]).name;
   if (fault.obstruction == FleetPlanObstruction::kRobotsMeet) {
-    return a + " and " + b + " would meet at " + ToText(fault.at) +
-           ": something is all but on the path or cable line of another there; move it clear, or exactly onto it";
+    return (a == b ? a + " would graze the corner at " : a + " and " + b + " would meet at ") + ToText(fault.at) +
+           ": something is all but on a path or cable line there; move it clear, or exactly onto it";
   }
   if (fault.start_inside) {
     return "the start of " + b + " at " + ToText(fault.at) + " is on the path of " + a +

@@ -14,6 +14,7 @@ namespace tautline {
 /// make the next round. So a distance is final once its bucket is empty, and nothing depends on which thread does what.
 class ManifoldBuilder {
  public:
+  /// Builds `manifold`, which is to outlive it, from its base on.
   ManifoldBuilder(GridManifold& manifold, const ManifoldOptions& options);
 
   /// Everything.

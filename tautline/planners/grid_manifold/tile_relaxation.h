@@ -35,7 +35,7 @@ TileMoves MovesWithin(const TileMoves& moves, TileMask cells);
 
 /// One distance per cell.
 struct alignas(32) TileDistances {
-  std::array<LatticeDistance, 64> at;
+  std::array<LatticeDistance, 64> at;  ///< By cell of the tile.
 };
 
 /// Lowers every distance to the least sum of a distance and a way from there within the tile. `open`: the cells with
