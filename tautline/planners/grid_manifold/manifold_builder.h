@@ -9,9 +9,9 @@
 
 namespace tautline {
 
-/// Pages wait in buckets by the least distance that they have not handed on yet. The pages of a bucket are taken at
-/// once and swept, each on its own; then all hand their changed distances on, and those that came into the same bucket
-/// make the next round. So a distance is final once its bucket is empty, and nothing depends on which thread does what.
+/// Pages wait in buckets by the least distance that they have not handed on yet. In each round some pages of the first
+/// bucket are swept, each on its own; then all of them hand their changed distances on, maybe to the same bucket. So a
+/// distance is final once its bucket is empty, and nothing depends on which thread does what.
 class ManifoldBuilder {
  public:
   /// Builds `manifold`, which is to outlive it, from its base on.
