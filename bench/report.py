@@ -327,7 +327,8 @@ def cable(results):
 
 
 def chart_manifold(results):
-    chart = LineChart("The manifold on a grid", "vertices", "processor time", count, seconds)
+    millions = lambda value: f"{digits(value / 1e6)} million"
+    chart = LineChart("The manifold on a grid", "vertices", "processor time", millions, seconds)
     names = [f"manifold/growth/{size}" for size in MANIFOLDS]
     chart.add("in the open", [(results.value(n, "vertices"), results.value(n, "seconds")) for n in names])
     small = [f"manifold/{name}" for name in ("60_thousand", "8_million")]
