@@ -3,7 +3,7 @@
 
 run_cases.py PROGRAM [NAME_PREFIX...]
 
-A case is a JSON file: `command` (a list), `scene`, `expect`, `tolerance` (relative, for every length) and
+A case is a JSON file: `command` (a list), `scene` (or an ASCII `grid` with `base` and `length`), `expect`, `tolerance` (relative, for every length) and
 a `note`. What `expect` may hold is what `difference` looks for."""
 import json
 import pathlib
@@ -19,11 +19,22 @@ def close(a, b, tolerance):
     return abs(a - b) <= tolerance * max(1.0, abs(b))
 
 
+def write_grid(case, folder):
+    """The scene of a case that draws its grid: '#' is blocked, `base` is column and row from the upper left."""
+    grid = case["grid"]
+    rows = "".join(row.replace("#", "@") + "\n" for row in grid)
+    pathlib.Path(folder, "grid.map").write_text(
+        f"type octile\nheight {len(grid)}\nwidth {len(grid[0])}\nmap\n{rows}")
+    column, row = case["base"]
+    return {"world": {"map": "grid.map"},
+            "tether": {"base": [column + 0.5, len(grid) - row - 0.5], "length": case["length"]}}
+
+
 def ask(program, scene, command):
-    """The program's JSON answer to a command on a scene; ValueError when it gives none."""
+    """The program's JSON answer to a command on a scene, or on a case with a grid; ValueError when it gives none."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "scene.json")
-        path.write_text(json.dumps(scene))
+        path.write_text(json.dumps(write_grid(scene, folder) if "grid" in scene else scene))
         words = 2 if command[0] == "workspace" else 1
         process = subprocess.run([program, *command[:words], path, *command[words:], "--json"],
                                  capture_output=True, text=True, timeout=TIMEOUT_S)
@@ -122,10 +133,22 @@ def all_close(got, want, tolerance):
     return got is not None and close(got, want, tolerance)
 
 
+def manifold_difference(got, want, tolerance):
+    """The first way in which a manifold differs from what is expected, or None."""
+    for key in ("status", "reason", "vertices", "edges", "multiplicity", "classes"):
+        if key in want and got.get(key) != want[key]:
+            return f"{key} {got.get(key)}, wanted {want[key]}"
+    if "max_distance" in want and not close(got["max_distance"], want["max_distance"], tolerance):
+        return f"max_distance {got['max_distance']}, wanted {want['max_distance']}"
+    return None
+
+
 def difference(got, want, tolerance):
     """The first way in which an answer differs from what is expected, or None."""
     if got["command"].startswith("workspace"):
         return workspace_difference(got, want, tolerance)
+    if got["command"] == "manifold":
+        return manifold_difference(got, want, tolerance)
     if got["command"] == "reach":
         return reach_difference(got, want, tolerance)
     if "classes" in got:
@@ -159,7 +182,7 @@ def main():
             continue
         case = json.loads(path.read_text())
         try:
-            answer = ask(program, case["scene"], case["command"])
+            answer = ask(program, case.get("scene", case), case["command"])
             why = difference(answer, case["expect"], case["tolerance"])
             why = why or motion_difference(answer, case["expect"], case["tolerance"])
         except (ValueError, KeyError, subprocess.TimeoutExpired) as error:

@@ -77,6 +77,8 @@ def case_results(program, prefixes):
         if not path.name.startswith(prefixes) or path.name in EXACT:
             continue
         case = json.loads(path.read_text())
+        if case["command"][0] == "manifold":
+            continue  # Its cells lie where the outline or the map begins: nothing to be shifted against.
         home = ask(program, case["scene"], case["command"])
         for shift in SHIFTS:
             there = ask(program, moved(case["scene"], shift), moved_command(case["command"], shift))

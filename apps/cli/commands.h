@@ -17,6 +17,7 @@ Run AddPlan(CLI::App& app);
 Run AddClasses(CLI::App& app);
 Run AddTaut(CLI::App& app);
 Run AddReach(CLI::App& app);
+Run AddManifold(CLI::App& app);
 Run AddFleet(CLI::App& app);
 Run AddWorkspace(CLI::App& app);
 
