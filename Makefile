@@ -30,7 +30,7 @@ test: release-with-tests  ## build everything and run all tests
 
 .PHONY: soak
 soak: release-with-tests  ## the random tests of engine and planner, SOAK_SCALE percent as long: 100,000 scenes
-	TAUTLINE_TEST_SCALE=$(SOAK_SCALE) ctest --preset release -R '^(homotopy|tether)/' --timeout 86400
+	TAUTLINE_TEST_SCALE=$(SOAK_SCALE) ctest --preset release -R '^(homotopy|cable|tether)/' --timeout 86400
 
 .PHONY: wasm
 wasm: packages-wasm  ## compile the core for browsers, compare it with the program on every scene
