@@ -6,6 +6,7 @@ report.py RESULTS [PAGE]
 RESULTS is a folder with Google Benchmark's JSON files. Each table stands in PAGE (default: docs/performance.md)
 between `<!-- bench:NAME -->` and `<!-- /bench:NAME -->`; a table is left as it is when not all of its benchmarks
 were run. Pictures go to the folder img beside the page. All tables that could be made are printed as well."""
+import math
 import pathlib
 import platform
 import re
@@ -22,6 +23,7 @@ CDT = (("maze", "MAZE"), ("mess", "MESS"))
 LOOPS = ("1000", "1100", "1200", "1300")
 ANCHORS = ("3", "4", "6", "8", "12", "16", "24")
 OBSTACLES = ("3", "5", "10", "15", "20", "25", "30")
+FLEETS = ("100", "316", "1000", "3162", "10000")
 SHARES = ("1", "2", "3", "4", "5", "6", "8")
 
 
@@ -228,6 +230,63 @@ def workspace_length(results):
                           lambda v: f"{100 * v('share'):.0f} %")
 
 
+FLEET_STAGES = ("prepare", "read", "check", "play")
+
+
+def fleet(results):
+    rows = []
+    for size in FLEETS:
+        name = f"fleet/robots/{size}"
+        v = lambda counter: results.value(name, counter)
+        whole = sum(v(stage) for stage in FLEET_STAGES)
+        rows.append([count(v("robots")), count(v("crossings")), count(v("detours")),
+                     *(seconds(v(stage)) for stage in FLEET_STAGES), seconds(whole), seconds(v("measure"))])
+    return table(["robots", "crossings", "detours", "ground", "cable lines read", "layout checked", "motion planned and played",
+                  "all together", "played once more, cables measured"], rows)
+
+
+def fleet_peer(results):
+    rows = []
+    for size in FLEETS:
+        name = f"fleet/robots/{size}"
+        v = lambda counter: results.value(name, counter)
+        rows.append([count(v("robots")), seconds(v("plan")), seconds(v("printed")), times(v("printed") / v("plan")),
+                     count(v("detours")), count(v("printed_detours")), binary_bytes(v("kept_bytes")),
+                     binary_bytes(v("peak_bytes")), f"{v('bytes_per_crossing'):.0f} B"])
+    return table(["robots", "tautline: motion planned, not played", "as printed", "ratio", "detours", "as printed", "memory of the plan",
+                  "peak", "per crossing"], rows)
+
+
+def exponent(points):
+    """The slope of the line through (x, y) points that fits their logarithms best."""
+    logs = [(math.log(x), math.log(y)) for x, y in points]
+    mean_x, mean_y = (sum(p[k] for p in logs) / len(logs) for k in (0, 1))
+    spread = sum((x - mean_x) ** 2 for x, _ in logs)
+    return sum((x - mean_x) * (y - mean_y) for x, y in logs) / spread if spread else 0.0
+
+
+def fleet_series(results):
+    """The lines of the picture of growth, by what they show."""
+    points = {}
+    for size in FLEETS:
+        v = lambda counter: results.value(f"fleet/robots/{size}", counter)
+        for what, value in (("ground, cable lines, check, motion planned and played", sum(v(stage) for stage in FLEET_STAGES)),
+                            ("motion planned, not played", v("plan")), ("as printed", v("printed"))):
+            points.setdefault(what, []).append((v("robots"), value))
+    return points
+
+
+def fleet_growth(results):
+    return "\n".join(f"- {what}: n^{exponent(points):.2f}" for what, points in fleet_series(results).items())
+
+
+def chart_fleet(results):
+    chart = LineChart("Fleets: time over robots", "robots", "processor time", count, seconds)
+    for what, points in fleet_series(results).items():
+        chart.add(f"{what}: n^{exponent(points):.2f}", points)
+    return chart
+
+
 def chart_triangulation(results):
     chart = LineChart("Constrained triangulation", "vertices", "time to build", count, seconds)
     for name, counter in (("tautline, with locator", "build"), ("CGAL", "cgal_build")):
@@ -297,11 +356,12 @@ TABLES = {"machine": machine, "triangulation": triangulation, "visibility": visi
           "funnel": funnel, "classes": classes, "plans": plans, "real_maps": real_maps, "real_peers": real_peers,
           "growth_vertices": growth_vertices, "growth_holes": growth_holes, "growth_tether": growth_tether,
           "growth_classes": growth_classes, "workspace_loops": workspace_loops, "workspace_anchors": workspace_anchors,
-          "workspace_obstacles": workspace_obstacles, "workspace_length": workspace_length}
+          "workspace_obstacles": workspace_obstacles, "workspace_length": workspace_length, "fleet": fleet,
+          "fleet_peer": fleet_peer, "fleet_growth": fleet_growth}
 CHARTS = {"performance_triangulation": chart_triangulation, "performance_vertices": chart_vertices,
           "performance_holes": chart_holes, "performance_classes": chart_classes,
           "performance_workspace": chart_workspace, "performance_workspace_growth": chart_workspace_growth,
-          "performance_workspace_loops": chart_workspace_loops}
+          "performance_workspace_loops": chart_workspace_loops, "performance_fleet": chart_fleet}
 
 
 def with_table(page, name, text):

@@ -77,4 +77,9 @@ def all_targets():
                               lambda r, n=name: r.value(n, "whole") / r.time(n), 100, times, command, True))
     targets.append(Target("boundaries up to 2 % longer than the shortest, 8 anchors, 20 obstacles",
                           time_of("workspace/length/2"), 1, command="`make bench FILTER=workspace/length`"))
+    command = "`make bench FILTER=fleet`"
+    for size, limit in (("1000", 1), ("10000", 60)):
+        name = f"fleet/robots/{size}"
+        targets.append(Target(f"fleet of {int(size):,} robots: layout checked, motion planned and played",
+                              time_of(name), limit, command=command))
     return targets

@@ -35,7 +35,7 @@ def ask(program, scene, command):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "scene.json")
         path.write_text(json.dumps(write_grid(scene, folder) if "grid" in scene else scene))
-        words = 2 if command[0] == "workspace" else 1
+        words = 2 if command[0] in ("workspace", "fleet") else 1
         process = subprocess.run([program, *command[:words], path, *command[words:], "--json"],
                                  capture_output=True, text=True, timeout=TIMEOUT_S)
     try:
@@ -125,6 +125,30 @@ def workspace_difference(got, want, tolerance):
     return None
 
 
+def fleet_plan_difference(got, want, tolerance):
+    """The first way in which a fleet's plan differs from what is expected, or None. `deadlocked_pairs` are positions
+    from 1, or names; `chains` the labels along each path; `makespan` that of straight paths without a detour."""
+    for key in ("status", "reason", "robots", "pair_graph", "detours", "entangled", "network_deadlocks"):
+        if key in want and got.get(key) != want[key]:
+            return f"{key} {got.get(key)}, wanted {want[key]}"
+    if "realizable" not in want:
+        return None
+    names = [robot["robot"] for robot in got["schedule"]]
+    pairs = [[p if isinstance(p, str) else names[p - 1] for p in pair] for pair in want["deadlocked_pairs"]]
+    if got["deadlocked_pairs"] != pairs:
+        return f"deadlocked_pairs {got['deadlocked_pairs']}, wanted {pairs}"
+    for key, mode in (("realizable", "straight-concurrent"), ("sequential", "straight-sequential")):
+        if got["modes"][mode] != want[key]:
+            return f"{mode} {got['modes'][mode]}, wanted {want[key]}"
+    chains = {c["robot"]: ["/".join(e["passings"]) for e in c["events"] if "passings" in e]
+              for c in got["event_graph"]["chains"]}
+    if "chains" in want and chains != want["chains"]:
+        return f"chains {chains}, wanted {want['chains']}"
+    if want["realizable"] and not close(got["travel_time"], want["makespan"], tolerance):
+        return f"travel_time {got['travel_time']}, wanted {want['makespan']}"
+    return None
+
+
 def all_close(got, want, tolerance):
     """Whether two numbers, or two lists of such, agree."""
     if isinstance(want, list):
@@ -145,6 +169,8 @@ def manifold_difference(got, want, tolerance):
 
 def difference(got, want, tolerance):
     """The first way in which an answer differs from what is expected, or None."""
+    if got["command"] == "fleet plan":
+        return fleet_plan_difference(got, want, tolerance)
     if got["command"].startswith("workspace"):
         return workspace_difference(got, want, tolerance)
     if got["command"] == "manifold":

@@ -1,6 +1,7 @@
 #include "apps/answers/fleet_setup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -17,6 +18,12 @@ const char* ToString(CableLineObstruction obstruction) {
       return "cable_not_taut";
   }
   return "";
+}
+
+/// Coordinates that the free space moved onto its grid come back as they were written.
+double Rounded(double value) {
+  constexpr double kPerMetre = 1e9, kLargestRounded = 1e6;
+  return std::fabs(value) < kLargestRounded ? std::round(value * kPerMetre) / kPerMetre + 0.0 : value;
 }
 
 }  // namespace
@@ -56,7 +63,7 @@ void AddCableLineFault(const FleetSetup& setup, const CableLineFault& fault, Jso
   json["at"] = PointJson(fault.at);
 }
 
-Json PointJson(Point p) { return Json::array({p.x, p.y}); }
+Json PointJson(Point p) { return Json::array({Rounded(p.x), Rounded(p.y)}); }
 
 Json PointsJson(std::span<const Point> points) {
   Json list = Json::array();

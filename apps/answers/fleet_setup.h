@@ -30,7 +30,7 @@ struct FleetSetup {
 /// `reason` (cable_blocked, cable_bends_in_open, cable_not_taut), `explanation`, `robot` and `at`.
 void AddCableLineFault(const FleetSetup& setup, const CableLineFault& fault, Json& json);
 
-/// [x, y] and [[x, y], ...].
+/// [x, y] and [[x, y], ...], metres, in whole nanometres up to 1e6.
 Json PointJson(Point p);
 Json PointsJson(std::span<const Point> points);
 

@@ -8,9 +8,9 @@ namespace tautline::cli {
 Run AddFleet(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("fleet", "several tethered robots");
   sub->footer(
-      "Example:\n  tautline fleet plan scenes/fleet.yaml --svg fleet.svg\n"
+      "Example:\n  tautline fleet check scenes/fleet.yaml --svg layout.svg\n"
       "`tautline fleet COMMAND --help` tells more.");
-  return AddNested(*sub, {});
+  return AddNested(*sub, {AddFleetCheck, AddFleetLayouts, AddFleetPlan, AddFleetSimulate});
 }
 
 }  // namespace tautline::cli

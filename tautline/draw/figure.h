@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tautline/draw/label_placer.h"
-#include "tautline/draw/marker.h"
+#include "tautline/draw/map_drawing.h"
 #include "tautline/draw/page.h"
 #include "tautline/draw/plot.h"
 #include "tautline/scene/free_space.h"
@@ -36,73 +35,66 @@ class Figure {
   Figure(const Scene& scene, const FreeSpace& space, const FigureContent& content);
 
   /// A line in metres; its layer is the class of its group in the SVG.
-  void Line(std::string_view layer, std::span<const Point> line, const LineStyle& style);
+  void Line(std::string_view layer, std::span<const Point> line, const LineStyle& style) {
+    map_.Line(layer, line, style);
+  }
 
   /// A line in pixels.
-  void PixelLine(std::string_view layer, std::span<const Point> line, const LineStyle& style);
+  void PixelLine(std::string_view layer, std::span<const Point> line, const LineStyle& style) {
+    map_.PixelLine(layer, line, style);
+  }
 
   /// Curves in pixels as one shape of its own layer, under all labels. Labels need not keep off.
-  void Shape(std::string_view layer, std::span<const SvgCurve> curves, const SvgStyle& style);
+  void Shape(std::string_view layer, std::span<const SvgCurve> curves, const SvgStyle& style) {
+    map_.Shape(layer, curves, style);
+  }
 
   /// Short dotted rays upward from islands to the rim of the map.
-  void Rays(const std::set<ObstacleId>& islands);
+  void Rays(const std::set<ObstacleId>& islands) { map_.Rays(islands); }
 
   /// A symbol at a point in metres, with its name beside it when not empty. Points outside of the
   /// map are drawn on its rim.
-  void Mark(Marker marker, Point at, const std::string& label = "");
+  void Mark(Marker marker, Point at, const std::string& label = "") { map_.Mark(marker, at, label); }
 
   /// A label, of one or more lines, beside a line in metres.
-  void LabelLine(std::span<const Point> line, const std::string& label, const std::string& colour);
+  void LabelLine(std::span<const Point> line, const std::string& label, const std::string& colour) {
+    map_.LabelLine(line, label, colour);
+  }
 
   /// A label about a point in metres, on it where that disturbs nothing and `room` (metres) is
   /// enough.
-  void LabelPoint(Point at, const std::string& label, double room);
+  void LabelPoint(Point at, const std::string& label, double room) { map_.LabelPoint(at, label, room); }
 
   /// A number on a line in pixels.
-  void Number(std::span<const Point> line, const std::string& number, const std::string& colour);
+  void Number(std::span<const Point> line, const std::string& number, const std::string& colour) {
+    map_.Number(line, number, colour);
+  }
 
   /// Islands whose names must not be left out.
-  void Name(const std::set<ObstacleId>& islands);
+  void Name(const std::set<ObstacleId>& islands) { map_.Name(islands); }
+
+  /// The map, for what draws on maps of all kinds.
+  MapDrawing& map() { return map_; }
 
   /// From metres to pixels of this figure.
-  const View& view() const { return view_; }
+  const View& view() const { return map_.view(); }
 
   /// The SVG document; the figure is used up.
   std::string Finish();
 
  private:
-  struct PendingMark {
-    Marker marker;
-    Point at;
-    std::string label;
-  };
-  struct PendingLabel {
-    Polyline line;
-    std::string text;
-    std::string colour;
-    bool beside = true;  ///< Not on the line or point itself.
-  };
-
-  void DiscourageGround();
-  Point OnMap(Point at) const;
-  void DrawNumbers();
   void DrawPlots();
-  void DrawMarks();
-  void PlaceMarkLabels(std::vector<SvgText>& texts);
-  void PlaceLineLabels(std::vector<SvgText>& texts);
 
   const Scene& scene_;
   const FreeSpace& space_;
   Page page_;
-  View view_;
   SvgWriter svg_;
-  LabelPlacer placer_;
-  std::set<ObstacleId> named_;
-  std::vector<PendingMark> marks_;
-  std::vector<PendingLabel> line_labels_;
-  std::vector<PendingLabel> numbers_;
+  MapDrawing map_;
   std::vector<PlotContent> plots_;
 };
+
+/// What stands beside the scale bar: the scene's file and the extent of its world.
+std::string SceneRemark(const Scene& scene, const FreeSpace& space);
 
 /// How many decimals lengths have in pictures of this space.
 int LengthDecimals(const FreeSpace& space);

@@ -64,11 +64,19 @@ void OutlineObstacles(SvgWriter& svg, const View& view, const World& world) {
 
 }  // namespace
 
+bool IsOpenPlane(const World& world) { return world.outline.empty(); }
+
+SvgWriter StartPicture(const SvgWriter::Options& options) {
+  SvgWriter svg(options);
+  svg.DefineHatch(kClearanceColour, kClearanceLineColour);
+  return svg;
+}
+
 void DrawGround(SvgWriter& svg, const View& view, const World& world, const FreeSpace& space,
                 const GroundOptions& options) {
   const bool grown = space.clearance > 0;
   svg.OpenWindow("ground", options.frame);
-  svg.Rectangle(options.frame, {.fill = grown ? kHatchFill : kBlockedColour});
+  svg.Rectangle(options.frame, {.fill = IsOpenPlane(world) ? kFreeColour : grown ? kHatchFill : kBlockedColour});
   DrawFree(svg, view, space, options);
   if (grown) {
     DrawOriginals(svg, view, world, options);

@@ -19,8 +19,14 @@ struct GroundOptions {
   bool outline_obstacles = false;       ///< Also draws the edges of obstacles that are merged.
 };
 
+/// Whether there is no world around: the scene has no outline, and nothing is blocked.
+bool IsOpenPlane(const World& world);
+
+/// Starts a document that defines the hatching of the ground.
+SvgWriter StartPicture(const SvgWriter::Options& options);
+
 /// Draws the ground: original obstacles and walls grey, what the clearance adds hatched, free
-/// ground white.
+/// ground white; the open plane is all white.
 void DrawGround(SvgWriter& svg, const View& view, const World& world, const FreeSpace& space,
                 const GroundOptions& options);
 

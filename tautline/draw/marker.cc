@@ -54,7 +54,8 @@ void DrawTask(SvgWriter& svg, Point at) {
 
 }  // namespace
 
-void DrawMarker(SvgWriter& svg, Marker marker, Point at) {
+void DrawMarker(SvgWriter& svg, Marker marker, Point at, const std::string& colour) {
+  const std::string fill = colour.empty() ? kInkColour : colour;
   switch (marker) {
     case Marker::kBase:
       return DrawSocket(svg, at);
@@ -75,6 +76,15 @@ void DrawMarker(SvgWriter& svg, Marker marker, Point at) {
       return DrawDrum(svg, at);
     case Marker::kTask:
       return DrawTask(svg, at);
+    case Marker::kStart:
+      return svg.Rectangle({at - Point{5, 5}, at + Point{5, 5}}, {.fill = fill, .stroke = kHaloColour, .width = 1.4});
+    case Marker::kTarget:
+      return svg.Circle(at, 5.5, {.fill = fill, .stroke = kHaloColour, .width = 1.4});
+    case Marker::kCrossing:
+      return svg.Circle(at, 2.8, {.fill = kInkColour, .stroke = kHaloColour, .width = 0.8});
+    case Marker::kRing:
+      svg.Circle(at, 12, {.stroke = kHaloColour, .width = 5});
+      return svg.Circle(at, 12, {.stroke = kWarningColour, .width = 2.6});
   }
 }
 
@@ -86,6 +96,10 @@ Box MarkerBox(Marker marker, Point at) {
       return {at - Point{5, 22}, at + Point{15, 5}};
     case Marker::kBlocked:
       return {at - Point{12, 12}, at + Point{12, 12}};
+    case Marker::kRing:
+      return {at - Point{14, 14}, at + Point{14, 14}};
+    case Marker::kCrossing:
+      return {at - Point{3, 3}, at + Point{3, 3}};
     default:
       return {at - Point{8, 8}, at + Point{8, 8}};
   }

@@ -19,10 +19,14 @@ enum class Marker {
   kSnap,       ///< A diamond: boundaries joined.
   kWinch,      ///< A drum: an anchor of a cable.
   kTask,       ///< A small square: a place to visit or to hold.
+  kStart,      ///< A coloured square: where a robot of a fleet starts and is tied.
+  kTarget,     ///< A coloured disc: where a robot of a fleet shall end.
+  kCrossing,   ///< A dot: where two lines meet.
+  kRing,       ///< A wide ring around something wrong.
 };
 
-/// Draws a symbol of about 16 pixels at a point.
-void DrawMarker(SvgWriter& svg, Marker marker, Point at);
+/// Draws a symbol of about 16 pixels at a point. Only kStart and kTarget have the colour; "": that of text.
+void DrawMarker(SvgWriter& svg, Marker marker, Point at, const std::string& colour = "");
 
 /// The room that a symbol takes.
 Box MarkerBox(Marker marker, Point at);

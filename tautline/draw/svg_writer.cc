@@ -257,6 +257,75 @@ void SvgWriter::ArrowHead(Point middle, Point direction, double size, const SvgS
 
 void SvgWriter::Text(const SvgText& text) {
   if (!IsFinite(text.at)) return;
+  OpenText(text);
+  out_ += EscapeXml(text.text) + "</text>\n";
+}
+
+void SvgWriter::MovingPolyline(std::span<const tautline::Polyline> keyframes, const SvgMotion& motion,
+                               const SvgStyle& style) {
+  TAUTLINE_CHECK(keyframes.size() == motion.times.size() && !keyframes.empty());
+  std::vector<std::string> values;
+  for (const tautline::Polyline& line : keyframes) {
+    TAUTLINE_CHECK(line.size() == keyframes[0].size());
+    std::string value;
+    for (const Point p : line) value += (value.empty() ? "" : " ") + Pair(p);
+    values.push_back(std::move(value));
+  }
+  out_ += "<polyline points=\"" + values.back() + "\"";
+  AppendStyle(style, true);
+  Animate("points", motion, "linear", values);
+  out_ += "</polyline>\n";
+}
+
+void SvgWriter::MovingCircle(std::span<const Point> centres, double radius, const SvgMotion& motion,
+                             const SvgStyle& style) {
+  TAUTLINE_CHECK(centres.size() == motion.times.size() && !centres.empty());
+  std::vector<std::string> x, y;
+  for (const Point p : centres) {
+    x.push_back(Number(p.x));
+    y.push_back(Number(p.y));
+  }
+  out_ += "<circle cx=\"" + x.back() + "\" cy=\"" + y.back() + "\" r=\"" + Number(radius) + "\"";
+  AppendStyle(style, true);
+  Animate("cx", motion, "linear", x);
+  Animate("cy", motion, "linear", y);
+  out_ += "</circle>\n";
+}
+
+void SvgWriter::TextInTurns(const SvgText& text, std::span<const std::string> turns, const SvgMotion& motion) {
+  TAUTLINE_CHECK(turns.size() == motion.times.size());
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const bool last = i + 1 == turns.size();
+    SvgMotion turn{.times = {0}, .duration_s = motion.duration_s};
+    std::vector<std::string> values = {i == 0 ? "visible" : "hidden"};
+    if (i > 0) {
+      turn.times.push_back(motion.times[i]);
+      values.push_back("visible");
+    }
+    if (!last) {
+      turn.times.push_back(motion.times[i + 1]);
+      values.push_back("hidden");
+    }
+    OpenText(text, last ? "" : " visibility=\"hidden\"");
+    out_ += EscapeXml(turns[i]);
+    Animate("visibility", turn, "discrete", values);
+    out_ += "</text>\n";
+  }
+}
+
+void SvgWriter::Animate(std::string_view attribute, const SvgMotion& motion, std::string_view mode,
+                        std::span<const std::string> values) {
+  out_ += "<animate attributeName=\"" + EscapeXml(attribute) + "\" dur=\"" + CompactText(motion.duration_s, 3) +
+          "s\" repeatCount=\"indefinite\" calcMode=\"" + EscapeXml(mode) + "\" keyTimes=\"";
+  for (std::size_t i = 0; i < motion.times.size(); ++i) {
+    out_ += (i == 0 ? "" : ";") + CompactText(motion.times[i], 5);
+  }
+  out_ += "\" values=\"";
+  for (std::size_t i = 0; i < values.size(); ++i) out_ += (i == 0 ? "" : ";") + values[i];
+  out_ += "\"/>\n";
+}
+
+void SvgWriter::OpenText(const SvgText& text, std::string_view more) {
   out_ += "<text x=\"" + Number(text.at.x) + "\" y=\"" + Number(text.at.y) + "\" font-size=\"" + Number(text.size) +
           "\" fill=\"" + EscapeXml(text.fill) + "\"";
   if (text.anchor == TextAnchor::kMiddle) out_ += " text-anchor=\"middle\"";
@@ -266,7 +335,8 @@ void SvgWriter::Text(const SvgText& text) {
   if (!text.halo.empty()) {
     out_ += " stroke=\"" + EscapeXml(text.halo) + "\" stroke-width=\"3\" paint-order=\"stroke\"";
   }
-  out_ += ">" + EscapeXml(text.text) + "</text>\n";
+  out_ += more;
+  out_ += '>';
 }
 
 std::string SvgWriter::Finish() {
@@ -282,7 +352,7 @@ void SvgWriter::Path(const std::string& data, const SvgStyle& style, bool even_o
   AppendStyle(style);
 }
 
-void SvgWriter::AppendStyle(const SvgStyle& style) {
+void SvgWriter::AppendStyle(const SvgStyle& style, bool open_element) {
   out_ += " fill=\"" + EscapeXml(style.fill) + "\"";
   if (style.opacity < 1) out_ += " fill-opacity=\"" + CompactText(style.opacity, 4) + "\"";
   if (style.stroke != "none") {
@@ -291,7 +361,7 @@ void SvgWriter::AppendStyle(const SvgStyle& style) {
     // Round caps would close short gaps.
     if (!style.dashes.empty()) out_ += " stroke-dasharray=\"" + EscapeXml(style.dashes) + "\" stroke-linecap=\"butt\"";
   }
-  out_ += "/>\n";
+  out_ += open_element ? ">\n" : "/>\n";
 }
 
 std::string SvgWriter::Number(double value) const { return CompactText(std::clamp(value, -kFarAway, kFarAway), 2); }

@@ -44,6 +44,12 @@ struct SvgCurve {
 /// Which part of a text stands at its point.
 enum class TextAnchor { kStart, kMiddle, kEnd };
 
+/// How something moves, over and over: from keyframe to keyframe in straight lines.
+struct SvgMotion {
+  std::vector<double> times;  ///< Of the keyframes, from 0 to 1, ascending.
+  double duration_s = 1;      ///< Of one round, seconds.
+};
+
 /// One line of text.
 struct SvgText {
   Point at;                                ///< The start, middle or end of the base line, by `anchor`.
@@ -113,12 +119,25 @@ class SvgWriter {
   /// One line of text.
   void Text(const SvgText& text);
 
+  /// An open line that moves; one line per keyframe, all with the same number of points. Viewers without animation show
+  /// the last keyframe, as for all that moves.
+  void MovingPolyline(std::span<const tautline::Polyline> keyframes, const SvgMotion& motion, const SvgStyle& style);
+
+  /// A circle that moves; its centre in each keyframe.
+  void MovingCircle(std::span<const Point> centres, double radius, const SvgMotion& motion, const SvgStyle& style);
+
+  /// Texts that take turns: one per keyframe, each from then to the next.
+  void TextInTurns(const SvgText& text, std::span<const std::string> turns, const SvgMotion& motion);
+
   /// The whole document; the writer is used up.
   std::string Finish();
 
  private:
   void Path(const std::string& data, const SvgStyle& style, bool even_odd);
-  void AppendStyle(const SvgStyle& style);
+  void AppendStyle(const SvgStyle& style, bool open_element = false);
+  void Animate(std::string_view attribute, const SvgMotion& motion, std::string_view mode,
+               std::span<const std::string> values);
+  void OpenText(const SvgText& text, std::string_view more = "");
   std::string Number(double value) const;
   std::string Pair(Point p) const;
 

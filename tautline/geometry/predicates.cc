@@ -143,7 +143,49 @@ int ExactInCircle(Point a, Point b, Point c, Point d) {
   return BigInCircle(a, b, c, d);
 }
 
+int ExactCompareCrossings(Point a, Point b, Point c, Point d, Point e, Point f) {
+  const double values[12] = {a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y, e.x, e.y, f.x, f.y};
+  Integer v[12];
+  ToCommonScale(values, v);
+  // Twice the area of the triangle c, d, p for the points of these positions.
+  const auto area = [&v](int from, int to, int p) -> Integer {
+    return (v[to] - v[from]) * (v[p + 1] - v[from + 1]) - (v[to + 1] - v[from + 1]) * (v[p] - v[from]);
+  };
+  const Integer ca = area(4, 6, 0), cb = area(4, 6, 2), ea = area(8, 10, 0), eb = area(8, 10, 2);
+  const Integer difference = ea * cb - ca * eb;
+  return difference.sign() * ca.sign() * ea.sign();
+}
+
 }  // namespace internal
+
+namespace {
+
+/// Twice the area of the triangle c, d, p, and a bound of its rounding error.
+struct RoundedArea {
+  RoundedArea(Point c, Point d, Point p) {
+    const double left = (d.x - c.x) * (p.y - c.y), right = (d.y - c.y) * (p.x - c.x);
+    value = left - right;
+    error = 4e-16 * (std::fabs(left) + std::fabs(right));
+  }
+  double value, error;
+};
+
+}  // namespace
+
+int CompareCrossings(Point a, Point b, Point c, Point d, Point e, Point f) {
+  // The crossing with cd is at the share ca / (ca - cb) of ab, that with ef at ea / (ea - eb).
+  const RoundedArea ca(c, d, a), cb(c, d, b), ea(e, f, a), eb(e, f, b);
+  const double left = ea.value * cb.value, right = ca.value * eb.value;
+  const double difference = left - right;
+  const double bound = 1.001 * (std::fabs(ea.value) * cb.error + std::fabs(cb.value) * ea.error + ea.error * cb.error +
+                                std::fabs(ca.value) * eb.error + std::fabs(eb.value) * ca.error + ca.error * eb.error) +
+                       4e-16 * (std::fabs(left) + std::fabs(right));
+  if (std::fabs(difference) <= bound || std::fabs(ca.value) <= ca.error || std::fabs(ea.value) <= ea.error) {
+    return internal::ExactCompareCrossings(a, b, c, d, e, f);
+  }
+  const bool same_side = (ca.value > 0) == (ea.value > 0);
+  return (difference > 0) == same_side ? 1 : -1;
+}
 
 int InCircle(Point a, Point b, Point c, Point d) {
   const double ax = a.x - d.x, ay = a.y - d.y;

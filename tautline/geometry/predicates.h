@@ -10,6 +10,7 @@ namespace internal {
 /// The slow exact paths behind the filters below.
 [[gnu::cold]] int ExactOrientation(Point a, Point b, Point c);
 [[gnu::cold]] int ExactInCircle(Point a, Point b, Point c, Point d);
+[[gnu::cold]] int ExactCompareCrossings(Point a, Point b, Point c, Point d, Point e, Point f);
 }  // namespace internal
 
 /// +1 when a, b, c turn left (counter-clockwise), -1 when they turn right, 0 when they are collinear. Exact for all
@@ -37,6 +38,11 @@ bool OnSegment(Point a, Point b, Point p);
 
 /// Whether the open segments ab and cd cross in one point interior to both, exactly.
 bool CrossProperly(Point a, Point b, Point c, Point d);
+
+/// Which of two segments that both cross ab does so nearer to a: -1 when cd does, +1 when ef does, 0 when all three
+/// meet in one point. Requires that a and b lie strictly on different sides of the lines through cd and through ef.
+/// Exact as Orientation, with |coordinate| between 1e-35 and 1e35, or zero.
+int CompareCrossings(Point a, Point b, Point c, Point d, Point e, Point f);
 
 }  // namespace tautline
 

@@ -190,5 +190,36 @@ TEST(Predicates, CrossProperlyNeedsAPointInsideBoth) {
   EXPECT_FALSE(CrossProperly({0, 0}, {1, 1}, {0, 4}, {4, 0})) << "ends before";
 }
 
+/// Where the line through c and d crosses that through a and b, as a share of ab.
+Rational ShareOfCrossing(Point a, Point b, Point c, Point d) {
+  const auto area = [&](Point p) -> Rational {
+    return (Rational(d.x) - Rational(c.x)) * (Rational(p.y) - Rational(c.y)) -
+           (Rational(d.y) - Rational(c.y)) * (Rational(p.x) - Rational(c.x));
+  };
+  const Rational at_a = area(a);
+  return at_a / (at_a - area(b));
+}
+
+TEST(Predicates, CompareCrossingsAgreesWithRationals) {
+  Rng rng(20191);
+  int ties = 0;
+  const std::int64_t count = ScaledTestCount(20000);
+  for (std::int64_t trial = 0; trial < count; ++trial) {
+    // Small integers meet in one point often; so do the same numbers with a digit, up to rounding.
+    const double scale = trial % 2 == 0 ? 1 : 0.1;
+    Point p[6];
+    for (Point& q : p) q = {scale * rng.UniformInt(-4, 4), scale * rng.UniformInt(-4, 4)};
+    const auto [a, b, c, d, e, f] = p;
+    if (Orientation(c, d, a) * Orientation(c, d, b) >= 0 || Orientation(e, f, a) * Orientation(e, f, b) >= 0) continue;
+    const Rational difference = ShareOfCrossing(a, b, c, d) - ShareOfCrossing(a, b, e, f);
+    ties += difference == 0;
+    ASSERT_EQ(CompareCrossings(a, b, c, d, e, f), difference.sign()) << "trial " << trial;
+    ASSERT_EQ(CompareCrossings(a, b, d, c, f, e), difference.sign()) << "trial " << trial;
+    ASSERT_EQ(CompareCrossings(b, a, c, d, e, f), -difference.sign()) << "trial " << trial;
+    ASSERT_EQ(CompareCrossings(a, b, e, f, c, d), -difference.sign()) << "trial " << trial;
+  }
+  EXPECT_GE(ties, count / 500);
+}
+
 }  // namespace
 }  // namespace tautline

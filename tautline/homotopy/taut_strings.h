@@ -3,7 +3,6 @@
 #define TAUTLINE_HOMOTOPY_TAUT_STRINGS_H_
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <tl/expected.hpp>
 #include <vector>
@@ -40,22 +39,29 @@ struct PinCollision {
 /// the strings among the pins follows the motion exactly, and the strings are its shortest representatives. Strings
 /// pass through each other's interior only where pins made them.
 ///
-/// Pins must stay at different places, except that the pin that holds a string may rest where the string is tied.
+/// Pins must stay at different places, except that the pin that holds a string may start where the string is tied.
+///
+/// A string that passes through no other is an arc without crossings, and so is its image under the motion; such a
+/// string never winds around a pin by more than half a turn beyond straight on.
 class TautStrings {
  public:
-  /// Pins by PinId, metres. `corners` of them, the last ones, never move and have extent only to the side of their
-  /// obstacle; strings and pins that move must be led around the obstacles. O(n log n).
-  explicit TautStrings(std::span<const Point> pins);
+  /// Pins by PinId, metres. No two may be at one place, but for those that Tie is called for next. An obstacle is the
+  /// pins at its corners: pins that move must be led around it. O(n).
+  explicit TautStrings(std::span<const Point> pins) : TautStrings(pins, pins) {}
+  /// The same where pins will come to other places than these: `places` says which, roughly, for speed.
+  TautStrings(std::span<const Point> pins, std::span<const Point> places);
   ~TautStrings();
   TautStrings(TautStrings&&) noexcept;
   TautStrings& operator=(TautStrings&&) noexcept;
 
-  /// A string of length zero from a pin to another at the same place. O(1).
+  /// A string of length zero from a pin to another at the same place. Until the holder leaves, the pin that the string
+  /// is tied to stands for both. Requires that nothing has moved, and pins that no other string begins or ends at.
+  /// O(1).
   StringId Tie(PinId tied, PinId holder);
 
   /// Moves a pin straight to a place. Fails, and moves nothing, when another pin lies on the way or at its end. A pin
-  /// whose string has length zero leaves the pin that the string is tied to. O(strings met * bends + pins swept over),
-  /// expected.
+  /// whose string has length zero leaves the pin that the string is tied to, and never comes back to it exactly. Every
+  /// decision is exact. O(strings near the way * bends + pins swept over), expected, for pins that are spread evenly.
   tl::expected<void, PinCollision> Move(PinId pin, Point to);
 
   /// Where a pin is.

@@ -132,6 +132,23 @@ TEST(ReadScene, ReadsAFleetWithoutAWorld) {
   EXPECT_FALSE(scene.fleet->robots[1].cable);
 }
 
+TEST(ReadScene, RobotsMayHaveRadiusAndTetherOfTheirOwn) {
+  const Scene scene = Good(R"({"fleet": {"speed": 1, "radius": 0.2, "tether": 12, "robots": [
+      {"start": [0,0], "target": [10,0], "radius": 0.5},
+      {"start": [0,5], "target": [10,5], "tether": 0}]}})");
+  EXPECT_EQ(scene.fleet->robots[0].radius, 0.5);
+  EXPECT_EQ(scene.fleet->robots[0].tether, 12);
+  EXPECT_EQ(scene.fleet->robots[1].radius, 0.2);
+  EXPECT_EQ(scene.fleet->robots[1].tether, 0);
+  const Scene bare = Good(R"({"fleet": {"speed": 1, "robots": [{"start": [0,0], "target": [10,0]}]}})");
+  EXPECT_EQ(bare.fleet->robots[0].radius, 0);
+  EXPECT_FALSE(bare.fleet->robots[0].tether);
+  EXPECT_NE(ErrorOf(R"({"fleet": {"speed": 1, "radius": -1, "robots": []}})").find("fleet.radius"), std::string::npos);
+  EXPECT_NE(ErrorOf(R"({"fleet": {"speed": 1, "robots": [{"start": [0,0], "target": [1,0], "tether": -2}]}})")
+                .find("fleet.robots[1].tether"),
+            std::string::npos);
+}
+
 TEST(ReadScene, AsksTheLoaderForTheMap) {
   const MapLoader loader = [](const std::string& name) -> Expected<MapWorld> {
     EXPECT_EQ(name, "office.yaml");

@@ -6,6 +6,7 @@
 #include "tautline/geometry/predicates.h"
 #include "tautline/scene/check_fleet.h"
 #include "tautline/scene/check_tether.h"
+#include "tautline/scene/number_text.h"
 
 namespace tautline {
 
@@ -32,6 +33,13 @@ Expected<FleetGround> FleetGround::Prepare(const Scene& scene, const Watcher& wa
   std::vector<BoxIndex::Segment> segments;
   for (const Point p : ground.points_) segments.emplace_back(p, p);
   ground.index_ = std::make_unique<const BoxIndex>(segments);
+  for (std::size_t k = 2 * ground.size(); k < ground.node_count(); ++k) {
+    const FleetNodeId node = *ground.NodeAt(ground.points_[k]);
+    if (ground.kind(node) == FleetNodeKind::kCorner) continue;
+    return InvalidInput(NameOf(ground, node) + " is on the corner of an obstacle, at " + ToText(ground.points_[k]) +
+                            ": move it off, since a cable must be able to pass either",
+                        scene.path);
+  }
   return ground;
 }
 
@@ -67,7 +75,7 @@ std::vector<FleetNodeId> FleetGround::NodesBetween(Point a, Point b) const {
   std::vector<FleetNodeId> nodes;
   index_->ForEachAlong(a, b, 0, [&](std::size_t k) {
     const Point p = points_[k];
-    if (p != a && p != b && OnSegment(a, b, p)) nodes.push_back(FleetNodeId(k));
+    if (p != a && p != b && OnSegment(a, b, p)) nodes.emplace_back(k);
   });
   std::sort(nodes.begin(), nodes.end(), [&](FleetNodeId p, FleetNodeId q) {
     const double to_p = Distance(a, point(p)), to_q = Distance(a, point(q));
@@ -75,6 +83,18 @@ std::vector<FleetNodeId> FleetGround::NodesBetween(Point a, Point b) const {
   });
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
+}
+
+std::string NameOf(const FleetGround& ground, FleetNodeId id) {
+  switch (ground.kind(id)) {
+    case FleetNodeKind::kStart:
+      return "the start of " + ground.robot(ground.robot_at(id)).name;
+    case FleetNodeKind::kTarget:
+      return "the target of " + ground.robot(ground.robot_at(id)).name;
+    case FleetNodeKind::kCorner:
+      return "the corner (" + ShortNumber(ground.point(id).x) + ", " + ShortNumber(ground.point(id).y) + ")";
+  }
+  return "";
 }
 
 }  // namespace tautline

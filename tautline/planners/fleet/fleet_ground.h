@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "tautline/base/error.h"
@@ -30,7 +31,8 @@ enum class FleetNodeKind {
 /// A fleet and its world, prepared. Immutable; queries may run in several threads.
 class FleetGround {
  public:
-  /// Errors: those of RequireFleet and, where there is a world, of BuildFreeSpace; kStopped when `watch` said stop.
+  /// Errors: those of RequireFleet and, where there is a world, of BuildFreeSpace; a start or target is at a corner of
+  /// the free space; kStopped when `watch` said stop.
   /// Cost: as TautSpace; without a world O(n log n) for n robots.
   [[nodiscard]] static Expected<FleetGround> Prepare(const Scene& scene, const Watcher& watch = {});
 
@@ -68,6 +70,12 @@ class FleetGround {
   /// expected for each.
   std::vector<FleetNodeId> NodesBetween(Point a, Point b) const;
 
+  /// Calls visit(node) for every node in a box, and for others near it; perhaps several times.
+  template <class Visit>
+  void ForEachNodeNear(const Box& box, Visit visit) const {
+    index_->ForEachNear(box, [&](std::size_t k) { visit(FleetNodeId(k)); });
+  }
+
  private:
   FleetGround() = default;
 
@@ -77,6 +85,9 @@ class FleetGround {
   std::unique_ptr<const BoxIndex> index_;
   double tolerance_ = 0;
 };
+
+/// "the start of r1", "the target of r1" or "the corner (3, 4)".
+std::string NameOf(const FleetGround& ground, FleetNodeId id);
 
 }  // namespace tautline
 

@@ -18,6 +18,16 @@ std::string ToString(FleetMode mode) {
   return "";
 }
 
+std::vector<Passing> PassingsToKeep(const FleetPlan& plan) {
+  const auto is_straight = [&](RobotId robot) { return !plan.schedule[robot.index()].path.is_cable; };
+  std::vector<Passing> passings;
+  for (const Passing& passing : plan.passings) {
+    if (is_straight(passing.first) && is_straight(passing.second)) passings.push_back(passing);
+  }
+  passings.insert(passings.end(), plan.detour_passings.begin(), plan.detour_passings.end());
+  return passings;
+}
+
 Point PositionAt(const RobotSchedule& schedule, double t_s) {
   const auto& events = schedule.events;
   const auto next =

@@ -41,6 +41,7 @@ struct Passing {
   std::string label;        ///< A, B, ..., Z, AA, ... in the order of the list.
   double first_along = 0;   ///< How far along the first robot's path it leaves the crossing, metres.
   double second_along = 0;  ///< How far along the second robot's path it comes to the crossing, metres.
+  double distance = 0;      ///< The least distance of the two robots in the course of the motion, metres.
 };
 
 /// Two robots of which both cannot take their straight paths: the target of each is inside of the other's polygon.
@@ -50,14 +51,22 @@ struct PairDeadlock {
 };
 
 /// What happens at a point of a path.
-enum class FleetEventKind { kStart, kBend, kPassing, kTarget };
+enum class FleetEventKind {
+  kStart,
+  kBend,
+  kPassing,
+  kEnter,  ///< It comes so near to a crossing that the robot that passes first must have left it.
+  kLeave,  ///< It is so far behind a crossing that the robot that passes then may come.
+  kTarget,
+};
 
 /// A robot is at a point of its path: a vertex of the event graph.
 struct FleetEvent {
   FleetEventKind kind = FleetEventKind::kStart;  ///< What happens there.
   Point at;                                      ///< Where, metres.
   double along = 0;                              ///< How far along the path, metres.
-  std::vector<std::size_t> passings;             ///< Those that happen there, by position in FleetPlan::passings.
+  std::vector<std::size_t> passings;             ///< Those that happen there, by position in FleetPlan::passings; from
+                                                 ///< there on in FleetPlan::detour_passings.
   double arrival = 0;                            ///< When the robot comes there, s.
   double departure = 0;                          ///< When it goes on, s; later than `arrival` where it waits.
 };
@@ -74,12 +83,23 @@ struct EventEdge {
   std::pair<RobotId, std::size_t> after;   ///< Likewise.
 };
 
+/// How long a motion takes and how far it goes.
+struct TravelCost {
+  double time = 0;      ///< Until the last robot arrives, s.
+  double distance = 0;  ///< Of all robots, metres.
+};
+
 /// What one mode of motion costs.
 struct ModeSummary {
-  bool realizable = false;       ///< Whether the layout comes out with no robot on a detour.
-  std::vector<RobotId> detours;  ///< The robots that must follow their cable line; in bent modes empty.
-  double travel_time = 0;        ///< Until the last robot arrives, detours included, s.
-  double travel_distance = 0;    ///< Of all robots, metres.
+  bool realizable = false;        ///< Whether the layout comes out with no robot on a detour.
+  std::vector<RobotId> detours;   ///< The robots that must follow their cable line; in bent modes empty.
+  bool detours_optimal = true;    ///< Whether there are proved to be no fewer, nor shorter ones as few.
+  std::size_t detours_bound = 0;  ///< There are no fewer than this.
+  /// With detours: what the mode would cost if all robots drove straight and none waited, which does not bring the
+  /// layout about.
+  std::optional<TravelCost> without_detours;
+  double travel_time = 0;      ///< Until the last robot arrives, detours included, s.
+  double travel_distance = 0;  ///< Of all robots, metres.
 };
 
 /// The motion of all robots in one mode.
@@ -89,6 +109,9 @@ struct FleetPlan {
   std::vector<PairDeadlock> pair_deadlocks;             ///< Its edges in both directions.
   std::vector<std::vector<RobotId>> network_deadlocks;  ///< Robots that wait for each other in a circle, each circle
                                                         ///< once for each strongly connected part of the event graph.
+  /// Robots that keep the orders of all pairs on their straight paths and do not make their part of the layout all the
+  /// same; those that were met with while detours were sought, each set without any robot that it could do without.
+  std::vector<std::vector<RobotId>> entangled;
   std::vector<RobotId> detours;          ///< In this mode, in the order of the robots.
   std::vector<Passing> detour_passings;  ///< Between a robot on a detour and one that is not.
   std::vector<EventEdge> event_edges;    ///< Between chains, of the paths as driven.
@@ -97,6 +120,9 @@ struct FleetPlan {
   double travel_distance = 0;            ///< Metres.
   std::array<ModeSummary, 4> modes;      ///< By FleetMode.
 };
+
+/// The passings whose order the motion of a plan keeps: those between paths that are driven.
+std::vector<Passing> PassingsToKeep(const FleetPlan& plan);
 
 /// Where a robot is at a time, as its schedule says. O(log n) for n events.
 Point PositionAt(const RobotSchedule& schedule, double t_s);

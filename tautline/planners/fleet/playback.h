@@ -16,7 +16,10 @@ struct PlaybackOptions {
   int frames = 0;
   /// Carries ray words along as a second witness (homotopy/moving.h), for fleets up to this size.
   std::size_t words_up_to = 60;
-  Watcher watch;  ///< Told how far the playback has come.
+  /// Cables are measured at this many moments times robots, at most; at all moments where there are fewer, and at the
+  /// two ends of the motion in any case. What is measured takes most of the time of large fleets.
+  std::size_t measured = 2'000'000;
+  Watcher watch = {};  ///< Told how far the playback has come.
 };
 
 /// Robots and cables at a moment.

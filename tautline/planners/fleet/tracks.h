@@ -2,6 +2,7 @@
 #ifndef TAUTLINE_PLANNERS_FLEET_TRACKS_H_
 #define TAUTLINE_PLANNERS_FLEET_TRACKS_H_
 
+#include <optional>
 #include <vector>
 
 #include "tautline/planners/fleet/layout.h"
@@ -18,7 +19,8 @@ struct TrackOptions {
 /// One polyline per route, with one point per step: at each node that it passes with a side, the track keeps off the
 /// node to the other side, farther off the more routes lie between it and the node. Routes that do not cross become
 /// tracks that do not meet, and routes that cross on a shared part become tracks that cross there once. Starts and
-/// targets stay in place. Requires routes of one ground. O(n log n + shared parts) for n steps, expected.
+/// targets stay in place. Requires routes of one ground that turn
+/// nowhere straight back. O(n log n + shared parts) for n steps, expected.
 std::vector<Polyline> SideBySide(const FleetGround& ground, const std::vector<Route>& routes,
                                  const TrackOptions& options = {});
 
