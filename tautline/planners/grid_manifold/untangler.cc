@@ -1,0 +1,73 @@
+#include "tautline/planners/grid_manifold/untangler.h"
+
+#include <set>
+#include <utility>
+
+#include "tautline/planners/grid_manifold/accessible_region.h"
+#include "tautline/planners/grid_manifold/intermediate_targets.h"
+#include "tautline/planners/grid_manifold/state_key.h"
+
+namespace tautline {
+namespace {
+
+/// The best of a round of candidates.
+struct Choice {
+  std::optional<TargetTrial> trial;
+  std::size_t region = 0;
+};
+
+/// Tries the candidates of a state one by one.
+Choice Choose(RobotDriver& driver, const GoalVisit& visit, const DriveState& state,
+              const std::set<std::uint64_t>& before, int& trials) {
+  const double coarse_m = 2 * driver.options().radius_m;
+  Choice best;
+  for (const IntermediateTarget& target : FindIntermediateTargets(AccessibleRegion(driver.Look(state), state.at))) {
+    ++trials;
+    TargetTrial trial = TryTarget(driver, visit, state, target.vertex);
+    if (trial.visited) return {std::move(trial), 0};
+    if (before.count(StateKey(trial.after, coarse_m)) > 0 || !visit.KeepsRetreat(trial.after)) continue;
+    const std::size_t region = AccessibleRegion(driver.Look(trial.after), trial.after.at).size();
+    if (region > best.region) best = {std::move(trial), region};
+  }
+  return best;
+}
+
+}  // namespace
+
+TargetTrial TryTarget(RobotDriver& driver, const GoalVisit& visit, const DriveState& state, ManifoldVertex target) {
+  TargetTrial trial{.after = state, .visited = {}};
+  const double look_after_s = 2 * driver.options().radius_m / driver.options().speed_mps;
+  double looked_s = state.cable.time_s();
+  const auto look = [&](const DriveState& now) {
+    if (!visit.IsWayOpen(now)) return false;
+    trial.visited = visit.Try(now);
+    return trial.visited.has_value();
+  };
+  const LegEnd end = driver.Drive(ToVertex(driver.manifold(), target), trial.after, [&](const DriveState& now) {
+    if (now.cable.time_s() < looked_s + look_after_s) return false;
+    looked_s = now.cable.time_s();
+    return look(now);
+  });
+  if (end == LegEnd::kThere || end == LegEnd::kBlocked) look(trial.after);
+  return trial;
+}
+
+UntangleResult Untangle(RobotDriver& driver, const GoalVisit& visit, const DriveState& start, int max_targets) {
+  UntangleResult result;
+  DriveState state = start;
+  std::set<std::uint64_t> before;
+  while (result.targets < max_targets) {
+    before.insert(StateKey(state, 2 * driver.options().radius_m));
+    Choice choice = Choose(driver, visit, state, before, result.trials);
+    if (!choice.trial) return result;
+    ++result.targets;
+    if (choice.trial->visited) {
+      result.visited = std::move(choice.trial->visited);
+      return result;
+    }
+    state = std::move(choice.trial->after);
+  }
+  return result;
+}
+
+}  // namespace tautline
