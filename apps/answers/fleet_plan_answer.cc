@@ -311,6 +311,28 @@ void CheckTethers(FleetPlanAnswer& answer) {
   }
 }
 
+/// Chooses a layout for a scene without cable lines; false where there is none.
+bool ChooseTheLayout(const FleetPlanQuestion& question, FleetPlanAnswer& answer) {
+  answer.chosen = ChooseLayout(answer.setup.ground, {.budget = question.budget, .watch = question.options.watch});
+  const ChosenLayout& chosen = *answer.chosen;
+  if (chosen.status != ChooseStatus::kSolved) {
+    const bool proved = chosen.status == ChooseStatus::kInfeasible;
+    Refuse(proved ? "no_layout" : "budget_exceeded", chosen.explanation, answer);
+    if (!proved) answer.json["status"] = "budget_exceeded";
+    return false;
+  }
+  answer.setup.layout.emplace(chosen.layout);
+  answer.json["layout"] = Json::array();
+  for (std::size_t i = 0; i < chosen.layout.size(); ++i) {
+    Json& entry = answer.json["layout"].emplace_back();
+    entry["robot"] = answer.setup.name(RobotId(i));
+    entry["cable"] = PointsJson(PointsOf(answer.setup.ground, BendsOf(answer.setup.ground, chosen.layout[i])));
+  }
+  answer.json["layout_optimal"] = chosen.optimal;
+  answer.json["layout_length"] = chosen.length;
+  return true;
+}
+
 }  // namespace
 
 Expected<FleetPlanAnswer> AnswerFleetPlan(const Scene& scene, const FleetPlanQuestion& question) {
@@ -318,11 +340,12 @@ Expected<FleetPlanAnswer> AnswerFleetPlan(const Scene& scene, const FleetPlanQue
   if (options.gap && !(*options.gap >= 0 && std::isfinite(*options.gap))) {
     return InvalidInput("the gap must be a number that is not negative", "--gap");
   }
-  auto setup = SetUpFleetLayout(scene, options.watch);
+  auto setup = SetUpFleet(scene, options.watch);
   if (!setup) return tl::unexpected(setup.error());
   FleetPlanAnswer answer{.setup = std::move(*setup)};
   answer.json["command"] = "fleet plan";
   answer.json["status"] = "solved";
+  if (!answer.setup.layout && !ChooseTheLayout(question, answer)) return answer;
   if (!*answer.setup.layout) {
     AddCableLineFault(answer.setup, answer.setup.layout->error(), answer.json);
     answer.explanation = answer.json["explanation"];

@@ -9,14 +9,16 @@
 
 #include "apps/answers/exit_status.h"
 #include "apps/answers/fleet_setup.h"
+#include "tautline/planners/fleet/choose_layout.h"
 #include "tautline/planners/fleet/plan_fleet.h"
 #include "tautline/planners/fleet/playback.h"
 
 namespace tautline {
 
 struct FleetPlanQuestion {
-  FleetPlanOptions options = {};  ///< How the robots move.
-  PlaybackOptions playback = {};  ///< How the plan is played back.
+  FleetPlanOptions options = {};                 ///< How the robots move.
+  PlaybackOptions playback = {};                 ///< How the plan is played back.
+  std::int64_t budget = ChooseOptions().budget;  ///< See ChooseOptions; where the scene has no cable lines.
 };
 
 /// A plan that its playback contradicts: a fault of tautline's own.
@@ -33,18 +35,20 @@ class FleetPlanContradicted : public std::logic_error {
 
 struct FleetPlanAnswer {
   FleetSetup setup;
-  std::optional<FleetPlan> plan = {};   ///< Nothing where there is none.
-  std::optional<Playback> played = {};  ///< What came of it.
-  std::string explanation = {};         ///< Why there is none; empty when there is one.
-  Json json = {};                       ///< The result as docs/fleet_plan.md describes it.
+  std::optional<FleetPlan> plan = {};       ///< Nothing where there is none.
+  std::optional<Playback> played = {};      ///< What came of it.
+  std::optional<ChosenLayout> chosen = {};  ///< Where the scene has no cable lines.
+  std::string explanation = {};             ///< Why there is none; empty when there is one.
+  Json json = {};                           ///< The result as docs/fleet_plan.md describes it.
   ExitStatus status = kExitSolved;
 
   /// The layout that is to come out. Requires a plan.
   const FleetLayout& layout() const { return **setup.layout; }
 };
 
-/// Plans the motion to the layout of the scene's cable lines. Errors: as SetUpFleetLayout; an option cannot be meant;
-/// the watcher said stop. Each plan is played back; throws FleetPlanContradicted where it does not make the layout.
+/// Plans the motion to the layout of the scene's cable lines, or where it has none, to the one that takes the least
+/// time. Errors: as SetUpFleet; an option cannot be meant; the watcher said stop before there was a layout. Each plan
+/// is played back; throws FleetPlanContradicted where it does not make the layout.
 [[nodiscard]] Expected<FleetPlanAnswer> AnswerFleetPlan(const Scene& scene, const FleetPlanQuestion& question);
 
 /// The events as a table with a line of titles: robot, event, passings (labels, separated by spaces), x, y, along,

@@ -53,7 +53,8 @@ std::vector<std::pair<std::string, std::string>> OutputsOf(const CommonOptions& 
   for (const auto& [option, path] : {std::pair{"--svg", options.svg},
                                      {"--png", options.png},
                                      {"--csv", options.csv},
-                                     {"--save-prepared", options.save_prepared}}) {
+                                     {"--save-prepared", options.save_prepared},
+                                     {"--animate", options.animate}}) {
     if (!path.empty()) outputs.emplace_back(option, path);
   }
   return outputs;
@@ -126,6 +127,9 @@ Expected<int> Deliver(const CommonOptions& options, const Answer& answer) {
   if (!options.save_prepared.empty()) {
     const auto added = files.Add(options.save_prepared, answer.prepared());
     if (!added) return tl::unexpected(added.error());
+  }
+  if (!options.animate.empty()) {
+    if (const auto added = files.Add(options.animate, answer.animate()); !added) return tl::unexpected(added.error());
   }
   const bool quiet = options.quiet && !options.json;
   const std::string text = quiet ? "" : options.json ? answer.json.dump(1) + "\n" : answer.text;

@@ -14,6 +14,7 @@
 #include "apps/cli/option_checks.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/progress_bar.h"
+#include "apps/pictures/fleet_pictures.h"
 #include "tautline/draw/draw_fleet.h"
 #include "tautline/scene/number_text.h"
 
@@ -28,6 +29,7 @@ struct FleetPlanCommand {
   std::string mode = "straight-concurrent";
   bool speeds = false;
   double gap = -1;  ///< Negative: absent.
+  std::int64_t budget = FleetPlanQuestion().budget;
 };
 
 FleetMode ModeOf(const std::string& name) {
@@ -92,6 +94,10 @@ std::string ToText(const FleetPlanAnswer& answer) {
   std::string text =
       fmt::format("Plan for {}, {}: {} s, {} in all.\n", Counted(plan.schedule.size(), "robot", "robots"),
                   ToString(plan.mode), ShortNumber(plan.travel_time), Metres(plan.travel_distance));
+  if (answer.chosen) {
+    text += fmt::format("  the layout was chosen: {} of cable, {}\n", Metres(answer.chosen->length),
+                        answer.chosen->optimal ? "and none is better" : "there may be better ones");
+  }
   if (!plan.detours.empty()) text += "  along their cable lines: " + NamesOf(answer, plan.detours) + "\n";
   return text + DescribeOrders(answer) + DescribeWaits(answer) + DescribeModes(plan);
 }
@@ -125,29 +131,31 @@ Expected<int> RunFleetPlan(const FleetPlanCommand& command) {
   question.options.mode = ModeOf(command.mode);
   question.options.speeds = command.speeds;
   if (command.gap >= 0) question.options.gap = command.gap;
+  question.budget = command.budget;
   question.options.watch = progress.watcher();
+  if (!command.common.animate.empty() && scene->fleet) {
+    question.playback.frames = FilmFrames(scene->fleet->robots.size());
+  }
   const auto answer = AnswerOrReport(*scene, question);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    if (answer->plan) {
-      return DrawFleetPlan(*scene, answer->setup.ground, {.layout = answer->layout(), .plan = *answer->plan});
-    }
-    const auto& layout = answer->setup.layout;
-    return DrawLayout(
-        *scene, answer->setup.ground,
-        {.title = "No plan", .notes = {answer->explanation}, .layout = *layout ? &**layout : nullptr, .marks = {}});
-  };
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
+  const auto animate = [&] { return AnimateAnswer(*scene, *answer); };
   const auto csv = [&] { return answer->plan ? FleetPlanCsv(*answer) : std::string(); };
-  return Deliver(command.common,
-                 {.json = answer->json, .text = ToText(*answer), .draw = draw, .csv = csv, .status = answer->status});
+  return Deliver(command.common, {.json = answer->json,
+                                  .text = ToText(*answer),
+                                  .draw = draw,
+                                  .csv = csv,
+                                  .animate = animate,
+                                  .status = answer->status});
 }
 
 }  // namespace
 
 Run AddFleetPlan(CLI::App& fleet) {
   const auto command = std::make_shared<FleetPlanCommand>();
-  CLI::App* sub = fleet.add_subcommand("plan", "the motion of all robots to the layout of their cable lines");
+  CLI::App* sub = fleet.add_subcommand(
+      "plan", "the motion of all robots to the layout of their cable lines, or to the one that takes the least time");
   AddCommonOptions(*sub, command->common);
   sub->add_option("--mode", command->mode, "along the shortest paths or the cable lines, all at once or one by one")
       ->check(CLI::IsMember({"straight-concurrent", "straight-sequential", "bent-concurrent", "bent-sequential"}))
@@ -156,7 +164,13 @@ Run AddFleetPlan(CLI::App& fleet) {
   sub->add_option("--gap", command->gap,
                   "how far apart robots stay at a crossing, metres; without it, the sum of their radii")
       ->check(NonNegative());
+  sub->add_option("--budget", command->budget, "without cable lines, orders of passing after which the choice ends")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   sub->add_option("--csv", command->common.csv, "write the events to this file as a table")
+      ->type_name("FILE")
+      ->check(FileName());
+  sub->add_option("--animate", command->common.animate, "draw the motion to this SVG file, which moves in browsers")
       ->type_name("FILE")
       ->check(FileName());
   sub->footer(

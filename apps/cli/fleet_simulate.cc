@@ -12,6 +12,7 @@
 #include "apps/cli/fleet_commands.h"
 #include "apps/cli/option_checks.h"
 #include "apps/cli/progress_bar.h"
+#include "apps/pictures/fleet_pictures.h"
 #include "tautline/draw/draw_fleet.h"
 #include "tautline/scene/number_text.h"
 
@@ -80,22 +81,15 @@ Expected<int> RunSimulate(const SimulateCommand& command) {
   if (!question) return tl::unexpected(question.error());
   ProgressBar progress(!command.common.quiet);
   question->watch = progress.watcher();
+  if (!command.common.animate.empty() && scene->fleet) question->frames = FilmFrames(scene->fleet->robots.size());
   const auto answer = AnswerSimulate(*scene, *question);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
-  const auto draw = [&] {
-    const auto& layout = *answer->setup.layout;
-    if (answer->playback) {
-      return DrawSimulate(*scene, answer->setup.ground, {.layout = *layout, .playback = *answer->playback});
-    }
-    return DrawLayout(*scene, answer->setup.ground,
-                      {.title = "It does not come out",
-                       .notes = {answer->explanation},
-                       .layout = layout ? &*layout : nullptr,
-                       .marks = {}});
-  };
-  return Deliver(command.common,
-                 {.json = answer->json, .text = ToText(*answer), .draw = draw, .status = answer->status});
+  const auto draw = [&] { return DrawAnswer(*scene, *answer); };
+  const auto animate = [&] { return AnimateAnswer(*scene, *answer); };
+  return Deliver(
+      command.common,
+      {.json = answer->json, .text = ToText(*answer), .draw = draw, .animate = animate, .status = answer->status});
 }
 
 }  // namespace
@@ -118,6 +112,9 @@ Run AddFleetSimulate(CLI::App& fleet) {
       ->excludes(mode)
       ->excludes(order);
   order->excludes(mode);
+  sub->add_option("--animate", command->common.animate, "draw the motion to this SVG file, which moves in browsers")
+      ->type_name("FILE")
+      ->check(FileName());
   sub->footer(
       "Example:\n  tautline fleet simulate scenes/fleet.yaml --order r1,r2,r3 --svg wrong.svg\n"
       "Exit status: 0 the layout comes out, 2 bad input, 3 it does not.");

@@ -1,53 +1,118 @@
 #include "apps/pictures/fleet_pictures.h"
 
-#include "tautline/draw/figure.h"
-#include "tautline/draw/line_style.h"
-#include "tautline/draw/view.h"
+#include <algorithm>
+
+#include "tautline/draw/draw_fleet.h"
+#include "tautline/draw/workspace_layers.h"
 
 namespace tautline {
 namespace {
 
-/// A fleet alone in the plane, with a frame around it.
-Scene Framed(Scene scene) {
-  Polyline ends;
-  for (const FleetRobot& robot : scene.fleet->robots) ends.insert(ends.end(), {robot.start, robot.target});
-  const Box box = WithoutFlatSides(BoundingBox(ends));
-  const Point margin = 0.08 * Point{Norm(box.size()), Norm(box.size())};
-  const Point low = box.low - margin, high = box.high + margin;
-  scene.world.outline = {low, {high.x, low.y}, high, {low.x, high.y}};
-  return scene;
+constexpr std::size_t kMostNotes = 5;  // Explanations above the map; the JSON has all.
+
+/// The first explanations as notes.
+std::vector<std::string> NotesOf(const std::vector<std::string>& explanations) {
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < std::min(explanations.size(), kMostNotes); ++i) {
+    notes.push_back(Sentence(explanations[i]));
+  }
+  if (explanations.size() > kMostNotes) {
+    notes.push_back("And " + std::to_string(explanations.size() - kMostNotes) + " more.");
+  }
+  return notes;
 }
 
-std::string DrawCables(const Scene& given, const FleetSetup& setup, const FleetLayout& layout,
-                       const FigureContent& content) {
-  const bool in_plane = setup.ground.space() == nullptr;
-  const Scene scene = in_plane ? Framed(given) : given;
-  const Expected<FreeSpace> frame = in_plane ? BuildFreeSpace(scene.world) : tl::unexpected(Error{});
-  const FreeSpace& space = in_plane ? frame.value() : setup.ground.space()->free_space();
-  Figure figure(scene, space, content);
-  for (const Route& route : layout) figure.Line("cable", PointsOf(setup.ground, route), kCableLine);
-  for (const FleetRobot& robot : setup.ground.robots()) {
-    figure.Mark(Marker::kBase, robot.start, robot.name);
-    figure.Mark(Marker::kGoal, robot.target, robot.name);
+/// What is wrong with the layout, where it is.
+std::vector<LayoutMark> MarksOf(const CheckAnswer& answer) {
+  const FleetSetup& setup = answer.setup;
+  if (!*setup.layout) return {{setup.layout->error().at, setup.name(setup.layout->error().robot)}};
+  std::vector<LayoutMark> marks;
+  for (const LayoutCrossing& fault : answer.faults.crossings) {
+    marks.push_back({fault.crossing.at, setup.name(fault.a) + " and " + setup.name(fault.b) + " cross"});
   }
-  return figure.Finish();
+  for (const SelfLoop& fault : answer.faults.self_loops) {
+    marks.push_back({fault.at, setup.name(fault.robot) + " loops"});
+  }
+  for (const EnclosedStart& fault : answer.faults.starts_enclosed) {
+    marks.push_back({setup.ground.robot(fault.robot).start, setup.name(fault.by) + " encloses this start"});
+  }
+  for (const ShortTether& fault : answer.faults.short_tethers) {
+    marks.push_back({setup.ground.robot(fault.robot).target, "too far for " + setup.name(fault.robot)});
+  }
+  return marks;
 }
 
 }  // namespace
 
 std::string DrawAnswer(const Scene& scene, const CheckAnswer& answer) {
   const auto& layout = *answer.setup.layout;
-  FigureContent content{
-      .title = answer.status == kExitSolved ? "The layout is free of crossings" : "The layout cannot be made",
-      .notes = answer.explanations};
-  if (content.notes.size() > 5) content.notes.resize(5);
-  return DrawCables(scene, answer.setup, layout ? *layout : FleetLayout{}, content);
+  const bool solved = answer.status == kExitSolved;
+  return DrawLayout(scene, answer.setup.ground,
+                    {.title = solved ? "The layout is free of crossings" : "The layout cannot be made",
+                     .notes = NotesOf(answer.explanations),
+                     .layout = layout ? &*layout : nullptr,
+                     .marks = MarksOf(answer)});
 }
 
 std::string DrawAnswer(const Scene& scene, const LayoutsAnswer& answer) {
-  const auto& layouts = answer.result.layouts;
-  return DrawCables(scene, answer.setup, layouts.empty() ? FleetLayout{} : layouts.front().routes,
-                    {.title = layouts.empty() ? "No layout" : "The shortest layout"});
+  const FleetGround& ground = answer.setup.ground;
+  const std::size_t count = answer.result.layouts.size();
+  if (count == 0) {
+    const FleetLayout none;
+    return DrawLayout(scene, ground,
+                      {.title = "No layout", .notes = NotesOf({answer.explanation}), .layout = &none, .marks = {}});
+  }
+  LayoutsPicture picture{.title = std::to_string(count) + (count == 1 ? " layout" : " layouts, the shortest first"),
+                         .notes = {},
+                         .layouts = {}};
+  if (answer.result.complete) picture.title += "; there are no more up to the limits";
+  for (const FoundLayout& found : answer.result.layouts) picture.layouts.push_back(&found.routes);
+  if (count > kMostLayoutsDrawn) {
+    picture.notes = {"The first " + std::to_string(kMostLayoutsDrawn) + " are drawn."};
+  }
+  return DrawLayouts(scene, ground, picture);
+}
+
+std::string DrawAnswer(const Scene& scene, const FleetPlanAnswer& answer) {
+  const FleetGround& ground = answer.setup.ground;
+  if (answer.plan) return DrawFleetPlan(scene, ground, {.layout = answer.layout(), .plan = *answer.plan});
+  const auto& layout = answer.setup.layout;
+  return DrawLayout(scene, ground,
+                    {.title = "No plan",
+                     .notes = NotesOf({answer.explanation}),
+                     .layout = layout && *layout ? &**layout : nullptr,
+                     .marks = {}});
+}
+
+std::string AnimateAnswer(const Scene& scene, const FleetPlanAnswer& answer) {
+  if (!answer.plan || !answer.played) return DrawAnswer(scene, answer);
+  return AnimateFleet(scene, answer.setup.ground,
+                      {.layout = answer.layout(), .plan = *answer.plan, .frames = answer.played->frames});
+}
+
+std::string DrawAnswer(const Scene& scene, const SimulateAnswer& answer) {
+  const auto& layout = *answer.setup.layout;
+  if (answer.playback) {
+    return DrawSimulate(scene, answer.setup.ground, {.layout = *layout, .playback = *answer.playback});
+  }
+  return DrawLayout(scene, answer.setup.ground,
+                    {.title = "It does not come out",
+                     .notes = NotesOf({answer.explanation}),
+                     .layout = layout ? &*layout : nullptr,
+                     .marks = {}});
+}
+
+std::string AnimateAnswer(const Scene& scene, const SimulateAnswer& answer) {
+  if (!answer.playback) return DrawAnswer(scene, answer);
+  FleetPlan motion;
+  motion.schedule = answer.schedule;
+  motion.travel_time = answer.playback->frames.back().t;
+  return AnimateFleet(
+      scene, answer.setup.ground,
+      {.layout = **answer.setup.layout,
+       .plan = motion,
+       .frames = answer.playback->frames,
+       .title = answer.playback->differing.empty() ? "The layout comes out" : "The layout does not come out"});
 }
 
 }  // namespace tautline

@@ -28,6 +28,10 @@ draw workspace_pose.svg workspace pose scenes/workspace.yaml --at 90,90
 draw workspace_move.svg workspace move scenes/camera_hall.yaml --from 30,10 --to 110,100 --speed 10 --acceleration 4 \
   --winch-limit 6
 draw workspace_tour.svg workspace tour scenes/camera_hall.yaml --round
+draw fleet.svg fleet check scenes/fleet.yaml
+draw fleet_layouts.svg fleet layouts scenes/fleet_yard.yaml --count 6
+draw fleet_plan.svg fleet plan scenes/fleet.yaml
+"$build/apps/cli/tautline" fleet plan scenes/fleet.yaml --quiet --animate $out/fleet_film.svg
 draw engine_taut.svg taut scenes/store_room.yaml
 draw engine_classes.svg classes scenes/store_room.yaml
 draw engine_choice.svg plan scenes/store_room.yaml --all

@@ -11,8 +11,9 @@ namespace tautline {
 namespace {
 
 constexpr std::size_t kMostExplained = 12;  // Rings with their text on the map.
+constexpr std::size_t kMostRinged = 40;     // With more faults, their places are small circles.
 constexpr std::size_t kMostListed = 12;     // Robots with their own line in the legend.
-constexpr double kPadding = 12;             // Room for symbols on the rim of a small map.
+constexpr double kPadding = 16;             // Room for symbols on the rim of a small map.
 constexpr double kTargetLineWidth = 6;
 
 /// The cable lines as the scene has them.
@@ -23,9 +24,21 @@ void DrawGivenCables(Figure& figure, const FleetGround& ground) {
   }
 }
 
+/// Rings; of many faults, dots without words.
+void RingFaults(MapDrawing& map, const std::vector<LayoutMark>& marks) {
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (marks.size() <= kMostRinged) {
+      map.Mark(Marker::kRing, marks[i].at, i < kMostExplained ? marks[i].text : "");
+    } else {
+      map.svg().Circle(map.view().ToPixels(marks[i].at), 2.5, {.stroke = kWarningColour, .width = 1.4});
+    }
+  }
+}
+
 std::vector<LegendEntry> LayoutLegend(const FleetGround& ground, const LayoutPicture& picture) {
   std::vector<LegendEntry> legend = MarksLegend();
   if (!picture.marks.empty()) legend.push_back({Marker::kRing, "what is wrong"});
+  if (picture.layout != nullptr && picture.layout->empty()) return legend;
   if (ground.size() > kMostListed) {
     legend.push_back({RobotLine(RobotId(0), ground.size()), "target cable line"});
     return legend;
@@ -55,9 +68,7 @@ std::string DrawLayout(const Scene& scene, const FleetGround& ground, const Layo
   } else {
     DrawGivenCables(figure, ground);
   }
-  for (std::size_t i = 0; i < picture.marks.size(); ++i) {
-    figure.Mark(Marker::kRing, picture.marks[i].at, i < kMostExplained ? picture.marks[i].text : "");
-  }
+  RingFaults(figure.map(), picture.marks);
   MarkFleet(figure.map(), ground);
   return figure.Finish();
 }
@@ -73,7 +84,7 @@ std::string DrawLayouts(const Scene& scene, const FleetGround& ground, const Lay
   SheetContent sheet{.title = picture.title, .notes = picture.notes, .rows = {}, .legend = MarksLegend()};
   for (std::size_t k = 0; k < std::min(picture.layouts.size(), kMostLayoutsDrawn); ++k) {
     if (k % columns == 0) sheet.rows.push_back({.panels = {}, .height = height, .shares = shares});
-    const FleetLayout& layout = picture.layouts[k];
+    const FleetLayout& layout = *picture.layouts[k];
     double length = 0;
     for (const Route& route : layout) length += LengthOf(ground, route);
     const auto draw = [&](SvgWriter& svg, const Box& frame) {
@@ -95,8 +106,9 @@ std::string DrawLayouts(const Scene& scene, const FleetGround& ground, const Lay
 namespace {
 
 std::string SimulateTitle(const FleetGround& ground, const Playback& playback) {
-  if (!playback.broken.empty()) return "The robots did not keep the order at a crossing";
-  if (playback.differing.empty()) return "The layout came out";
+  if (playback.differing.empty()) {
+    return playback.broken.empty() ? "The layout came out" : "The layout came out, but orders were not kept";
+  }
   const bool one = playback.differing.size() == 1;
   return "The layout did not come out: the cable" + std::string(one ? "" : "s") + " of " +
          NamesText(ground, playback.differing) + (one ? " lies" : " lie") + " differently";
@@ -129,8 +141,8 @@ std::vector<LegendEntry> SimulateLegend(const FleetGround& ground, const Simulat
 }
 
 void DrawWanted(Figure& figure, const FleetGround& ground, const FleetLayout& layout) {
-  for (const Route& route : layout) {
-    figure.Line("wanted", PointsOf(ground, route), {.colour = "#d9dce0", .width = kTargetLineWidth});
+  for (const Polyline& track : CableTracks(figure.view(), ground, layout)) {
+    figure.PixelLine("wanted", track, {.colour = "#d9dce0", .width = kTargetLineWidth});
   }
 }
 
@@ -152,7 +164,10 @@ std::string DrawSimulate(const Scene& scene, const FleetGround& ground, const Si
     for (std::size_t i = 0; i < tracks.size(); ++i) {
       const auto& differing = playback.differing;
       if ((std::find(differing.begin(), differing.end(), RobotId(i)) != differing.end()) != faulty) continue;
-      figure.PixelLine("final-cable", tracks[i], faulty ? kFaultLine : RobotLine(RobotId(i), ground.size()));
+      const LineStyle style = RobotLine(RobotId(i), ground.size());
+      figure.PixelLine("final-cable", tracks[i], faulty ? kFaultLine : style);
+      if (!faulty || differing.size() > kMostExplained) continue;
+      figure.LabelLine(PointsOf(ground, playback.final_routes[i]), "cable of " + ground.robots()[i].name, style.colour);
     }
   }
   for (const BrokenOrder& broken : playback.broken) {

@@ -20,7 +20,7 @@ struct LayoutMark {
 struct LayoutPicture {
   std::string title;               ///< The answer in words.
   std::vector<std::string> notes;  ///< Sentences below it.
-  /// The cable lines; absent where they are faulty: then they are drawn as the scene has them.
+  /// The cable lines; absent where they are faulty: then they are drawn as the scene has them. Empty: none are drawn.
   const FleetLayout* layout = nullptr;
   std::vector<LayoutMark> marks;  ///< Ringed; of many only the first have their text on the map.
 };
@@ -33,7 +33,7 @@ std::string DrawLayout(const Scene& scene, const FleetGround& ground, const Layo
 struct LayoutsPicture {
   std::string title;                        ///< The answer in words.
   std::vector<std::string> notes;           ///< Sentences below it.
-  const std::vector<FleetLayout>& layouts;  ///< The first kMostLayoutsDrawn are drawn.
+  std::vector<const FleetLayout*> layouts;  ///< The first kMostLayoutsDrawn are drawn.
 };
 
 inline constexpr std::size_t kMostLayoutsDrawn = 12;  ///< Small maps on one page.
@@ -64,11 +64,15 @@ struct SimulatePicture {
 /// that were passed in the wrong order. Deterministic.
 std::string DrawSimulate(const Scene& scene, const FleetGround& ground, const SimulatePicture& picture);
 
+/// How many moments make a film of so many robots: fewer of more robots, so that files stay small.
+int FilmFrames(std::size_t robots);
+
 /// What a film of a plan shows.
 struct FleetFilm {
   const FleetLayout& layout;                 ///< Drawn pale; may be empty.
-  const FleetPlan& plan;                     ///< That is played.
+  const FleetPlan& plan;                     ///< That is played; of a motion without a plan, its schedule and time.
   const std::vector<PlaybackFrame>& frames;  ///< In order of time, at least one.
+  std::string title = {};                    ///< Empty: what the plan takes.
 };
 
 /// A picture that moves in every browser, over and over: robots drive, taut cables bend around those that push them,

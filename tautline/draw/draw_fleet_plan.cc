@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <memory>
 
 #include "tautline/draw/curve.h"
 #include "tautline/draw/draw_fleet.h"
@@ -14,14 +12,13 @@
 namespace tautline {
 namespace {
 
-constexpr double kPadding = 14;  // Room for symbols on the rim of a map.
+constexpr double kPadding = 24;  // Room for symbols on the rim of a map.
 constexpr double kTallestMap = 480;
 constexpr double kLowestMap = 150;
 constexpr std::size_t kMostNamedCrossings = 40;      // With more, crossings are dots.
 constexpr std::size_t kMostDottedCrossings = 3'000;  // With more, they are left out.
 constexpr std::size_t kMostColumns = 22;             // Of the event graph.
 constexpr double kArrowReach = 17;                   // Pixels from a crossing to the ends of its arrow.
-const LineStyle kDetourLine = {.width = 5};
 
 bool OnDetour(const FleetPlan& plan, std::size_t robot) { return plan.schedule[robot].path.is_cable; }
 
@@ -36,28 +33,32 @@ std::string Sentences(const FleetGround& ground, const FleetPlan& plan) {
   for (std::size_t i = 0; i < std::min<std::size_t>(plan.network_deadlocks.size(), 2); ++i) {
     text += "On straight paths " + NamesText(ground, plan.network_deadlocks[i]) + " would wait for each other. ";
   }
+  for (std::size_t i = 0; i < std::min<std::size_t>(plan.entangled.size(), 2); ++i) {
+    text += "On straight paths " + NamesText(ground, plan.entangled[i]) + " would make another layout. ";
+  }
   return text.empty() ? text : text.substr(0, text.size() - 1);
 }
 
-/// "straight-concurrent: 14 s, 21 m" for each mode, or that it is not possible.
-std::string ModesText(const FleetGround& ground, const FleetPlan& plan) {
-  std::string text;
+/// "straight-concurrent: 14 s, 21 m" for each mode, and what it takes.
+LegendEntry ModesEntry(const FleetGround& ground, const FleetPlan& plan) {
+  LegendEntry entry{std::monostate{}, "What each mode takes"};
   for (std::size_t k = 0; k < plan.modes.size(); ++k) {
     const ModeSummary& mode = plan.modes[k];
-    text += (k == 0 ? "" : "; ") + ToString(static_cast<FleetMode>(k)) + ": ";
-    if (!mode.realizable) {
-      text += "only with a detour of " + NamesText(ground, mode.detours) + ", ";
-    }
-    text += TimeText(mode.travel_time) + ", " + LengthText(mode.travel_distance, FleetDecimals(ground));
+    entry.details.push_back(ToString(static_cast<FleetMode>(k)) + ": " + TimeText(mode.travel_time) + ", " +
+                            LengthText(mode.travel_distance, FleetDecimals(ground)));
+    if (!mode.realizable) entry.details.back() += ", with a detour of " + NamesText(ground, mode.detours);
   }
-  return text + ".";
+  return entry;
 }
 
 std::string PlanTitle(const FleetGround& ground, const FleetPlan& plan) {
   const std::string robots = ground.size() == 1 ? "One robot" : std::to_string(ground.size()) + " robots";
   std::string title = robots + ", " + ToString(plan.mode) + ": " + TimeText(plan.travel_time) + ", " +
                       LengthText(plan.travel_distance, FleetDecimals(ground)) + " driven";
-  if (!plan.detours.empty()) title += "; " + NamesText(ground, plan.detours) + " must follow the cable line";
+  if (!plan.detours.empty()) {
+    title += "; " + NamesText(ground, plan.detours) + " must follow " +
+             (plan.detours.size() == 1 ? "its cable line" : "their cable lines");
+  }
   return title;
 }
 
@@ -72,6 +73,7 @@ void DrawPriority(MapDrawing& map, const FleetPlan& plan, const Passing& passing
   const Point from = before(passing.first, passing.first_along), to = before(passing.second, passing.second_along);
   const Point middle = Lerp(Lerp(from, to, 0.5), at, -0.45);
   if (Distance(from, to) < 3) return;
+  map.KeepFree(BoundingBox(Polyline{from, middle, to}));
   map.svg().Smooth(Polyline{from, middle, to}, {.stroke = kHaloColour, .width = 3.4});
   map.svg().Smooth(Polyline{from, middle, to}, {.stroke = kInkColour, .width = 1.3});
   const Point way = to - middle;
@@ -85,11 +87,7 @@ void DrawPaths(MapDrawing& map, const FleetGround& ground, const FleetPlan& plan
     style.arrows = ground.size() <= kMostInGraphs;
     map.Line(OnDetour(plan, i) ? "detour" : "path", plan.schedule[i].path.points, style);
   }
-  std::vector<Passing> passings;
-  for (const Passing& p : plan.passings) {
-    if (!OnDetour(plan, p.first.index()) && !OnDetour(plan, p.second.index())) passings.push_back(p);
-  }
-  passings.insert(passings.end(), plan.detour_passings.begin(), plan.detour_passings.end());
+  const std::vector<Passing> passings = PassingsToKeep(plan);
   const bool named = passings.size() <= kMostNamedCrossings;
   if (passings.size() > kMostDottedCrossings) return;
   map.svg().OpenGroup("crossings");
@@ -130,6 +128,7 @@ struct MapPanels {
 void AddMaps(const MapPanels& panels, const FleetGround& ground, const FleetPlanPicture& picture,
              std::vector<SheetRow>& rows) {
   const FleetPlan& plan = picture.plan;
+  const std::size_t crossings = PassingsToKeep(plan).size();
   double lines = 0;
   for (const Route& route : picture.layout) lines += LengthOf(ground, route);
   const int decimals = FleetDecimals(ground);
@@ -139,14 +138,13 @@ void AddMaps(const MapPanels& panels, const FleetGround& ground, const FleetPlan
                       DrawCableLines(map, ground, picture.layout);
                       MarkFleet(map, ground);
                     })};
-  SheetPanel paths{
-      .title = "Paths and who passes first",
-      .notes = {"together " + LengthText(plan.travel_distance, decimals) + ", " + std::to_string(plan.passings.size()) +
-                (plan.passings.size() == 1 ? " crossing" : " crossings")},
-      .draw = panels.Panel([&](MapDrawing& map) {
-        DrawPaths(map, ground, plan);
-        MarkFleet(map, ground);
-      })};
+  SheetPanel paths{.title = "Paths and who passes first",
+                   .notes = {"together " + LengthText(plan.travel_distance, decimals) + ", " +
+                             std::to_string(crossings) + (crossings == 1 ? " crossing" : " crossings")},
+                   .draw = panels.Panel([&](MapDrawing& map) {
+                     DrawPaths(map, ground, plan);
+                     MarkFleet(map, ground);
+                   })};
   const bool wide = panels.box.size().x > 2.2 * panels.box.size().y;
   const double width = wide ? SheetFrameWidth(1, 1, 1) : SheetFrameWidth(1, 2, 2);
   rows.push_back({.panels = {std::move(layout)}, .height = panels.Height(width)});
@@ -173,20 +171,22 @@ void AddGraphs(const EventGraph& events, const FleetGround& ground, const FleetP
          .draw = [&](SvgWriter& svg, const Box& frame) { events.Draw(svg, frame, ground); },
          .share = 2.2});
   } else {
-    notes.push_back("The graph of events is not drawn: it has too many.");
+    notes.emplace_back("The graph of events is not drawn: it has too many.");
   }
   rows.push_back(std::move(row));
 }
 
 std::vector<LegendEntry> PlanLegend(const FleetPlan& plan, const FleetGround& ground) {
   std::vector<LegendEntry> legend = MarksLegend();
-  if (!plan.passings.empty())
+  if (!plan.passings.empty()) {
     legend.push_back({Marker::kCrossing, "crossing; an arrow leads from the robot that passes first"});
+  }
   if (std::any_of(plan.schedule.begin(), plan.schedule.end(), [](const RobotSchedule& s) { return s.path.is_cable; })) {
     LineStyle line = RobotLine(RobotId(0), ground.size());
     legend.push_back({LineStyle{.colour = line.colour, .width = 2 * line.width}, "robot on its cable line"});
   }
   legend.push_back({GroundSwatch{.fill = kClearanceColour, .hatched = true}, "robot waits"});
+  legend.push_back(ModesEntry(ground, plan));
   return legend;
 }
 
@@ -196,10 +196,7 @@ std::string DrawFleetPlan(const Scene& scene, const FleetGround& ground, const F
   const FleetPlan& plan = picture.plan;
   const FreeSpace space = DrawnSpace(ground);
   const MapPanels panels{scene, space, FleetBox(ground)};
-  SheetContent sheet{.title = PlanTitle(ground, plan),
-                     .notes = {ModesText(ground, plan)},
-                     .rows = {},
-                     .legend = PlanLegend(plan, ground)};
+  SheetContent sheet{.title = PlanTitle(ground, plan), .rows = {}, .legend = PlanLegend(plan, ground)};
   if (std::string text = Sentences(ground, plan); !text.empty()) sheet.notes.push_back(std::move(text));
   sheet.notes.insert(sheet.notes.end(), picture.notes.begin(), picture.notes.end());
   AddMaps(panels, ground, picture, sheet.rows);

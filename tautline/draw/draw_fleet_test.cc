@@ -71,9 +71,16 @@ TEST(DrawLayout, OfAWorldHasItsObstacles) {
   EXPECT_THAT(svg, AllOf(HasSubstr("wall or obstacle"), HasSubstr(">block<")));
 }
 
+TEST(DrawLayout, OfManyFaultsExplainsNone) {
+  const Example e = Prepare(TriangleScene());
+  const LayoutPicture picture{
+      .title = "", .notes = {}, .layout = &e.layout, .marks = std::vector<LayoutMark>(50, {{1, 1}, "r1 and r2 cross"})};
+  EXPECT_THAT(DrawLayout(e.scene, e.ground, picture), Not(HasSubstr("r1 and r2 cross")));
+}
+
 TEST(DrawLayouts, AreAtMostTwelve) {
   const Example e = Prepare(TriangleScene());
-  const std::vector<FleetLayout> layouts(15, e.layout);
+  const std::vector<const FleetLayout*> layouts(15, &e.layout);
   const std::string svg = DrawLayouts(e.scene, e.ground, {.title = "15 layouts", .notes = {}, .layouts = layouts});
   EXPECT_EQ(XmlCheck(svg).error(), "");
   EXPECT_EQ(CountOf(svg, "class=\"panel\""), 12u);
@@ -97,6 +104,7 @@ TEST(DrawFleetPlan, TellsOfDeadlocksAndDetours) {
   FleetPlan plan = HandMadePlan(e.ground, {{1, 0}});
   plan.pair_deadlocks = {{RobotId(1), RobotId(2)}};
   plan.network_deadlocks = {{RobotId(0), RobotId(1)}};
+  plan.entangled = {{RobotId(2)}};
   plan.detours = {RobotId(2)};
   plan.schedule[2].path = {
       .route = e.layout[2], .points = PointsOf(e.ground, e.layout[2]), .along = {0, 1, 2}, .is_cable = true};
@@ -105,7 +113,8 @@ TEST(DrawFleetPlan, TellsOfDeadlocksAndDetours) {
   EXPECT_EQ(XmlCheck(svg).error(), "");
   EXPECT_THAT(XmlCheck(svg).classes(), Contains("detour"));
   EXPECT_THAT(svg, AllOf(HasSubstr("Pair deadlock of r2 and r3"), HasSubstr("r1 and r2 would wait for each other"),
-                         HasSubstr("r3 must follow the cable line"), HasSubstr("only with a detour of r3")));
+                         HasSubstr("r3 would make another layout"), HasSubstr("r3 must follow its cable line"),
+                         HasSubstr("2.00 m, with a detour")));
 }
 
 TEST(DrawFleetPlan, OfARobotAlone) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tautline/base/rng.h"
+#include "tautline/draw/draw_fleet.h"
 
 namespace tautline {
 namespace {
@@ -131,6 +132,37 @@ std::vector<PlaybackFrame> HandMadeFrames(const FleetGround& ground, const Fleet
     frames.push_back(std::move(frame));
   }
   return frames;
+}
+
+std::vector<NamedPicture> FleetPictures() {
+  std::vector<NamedPicture> pictures;
+  const Scene scene = TriangleScene(), crowd = CrowdScene(1000);
+  const auto ground = FleetGround::Prepare(scene).value(), crowd_ground = FleetGround::Prepare(crowd).value();
+  const auto layout = ReadLayout(ground).value(), crowd_layout = ReadLayout(crowd_ground).value();
+  const FleetPlan plan = HandMadePlan(ground, {{1, 0}, {0, 2}, {2, 1}});
+  const LayoutPicture marked{.title = "Three cable lines", .notes = {}, .layout = &layout, .marks = {{{1, 1}, "here"}}};
+  pictures.push_back({"fleet_layout", DrawLayout(scene, ground, marked)});
+  const std::vector<const FleetLayout*> layouts(7, &layout);
+  pictures.push_back(
+      {"fleet_layouts", DrawLayouts(scene, ground, {.title = "Seven layouts", .notes = {}, .layouts = layouts})});
+  pictures.push_back({"fleet_plan", DrawFleetPlan(scene, ground, {.layout = layout, .plan = plan})});
+  FleetPlan detour = plan;
+  detour.pair_deadlocks = {{RobotId(0), RobotId(1)}};
+  detour.detours = {RobotId(1)};
+  detour.schedule[1].path = {.route = layout[1],
+                             .points = PointsOf(ground, layout[1]),
+                             .along = {0, 4.5, LengthOf(ground, layout[1])},
+                             .is_cable = true};
+  pictures.push_back({"fleet_detour", DrawFleetPlan(scene, ground, {.layout = layout, .plan = detour})});
+  pictures.push_back({"fleet_crowd", DrawFleetPlan(crowd, crowd_ground,
+                                                   {.layout = crowd_layout, .plan = HandMadePlan(crowd_ground, {})})});
+  Playback playback{.final_routes = layout, .longest = {}, .frames = {}, .words_agree = {}};
+  playback.final_routes[1] = {layout[1].front(), layout[1].back()};
+  playback.differing = {RobotId(1)};
+  pictures.push_back({"fleet_simulate", DrawSimulate(scene, ground, {.layout = layout, .playback = playback})});
+  const auto frames = HandMadeFrames(ground, layout, plan, 20);
+  pictures.push_back({"fleet_film", AnimateFleet(scene, ground, {.layout = layout, .plan = plan, .frames = frames})});
+  return pictures;
 }
 
 }  // namespace tautline

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "tautline/draw/example_pictures.h"
 #include "tautline/planners/fleet/fleet_plan.h"
 #include "tautline/planners/fleet/playback.h"
 #include "tautline/scene/scene.h"
@@ -25,6 +26,9 @@ FleetPlan HandMadePlan(const FleetGround& ground, const std::vector<std::pair<in
 /// Robots as the plan has them, with straight cables but for the last frame, whose cables are those of the layout.
 std::vector<PlaybackFrame> HandMadeFrames(const FleetGround& ground, const FleetLayout& layout, const FleetPlan& plan,
                                           int count);
+
+/// One picture of every kind of a fleet, for a person to look at.
+std::vector<NamedPicture> FleetPictures();
 
 }  // namespace tautline
 

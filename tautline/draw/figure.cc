@@ -12,9 +12,16 @@ constexpr double kPlotHeight = 240;
 constexpr double kPlotGap = 14;               // Above each plot.
 constexpr std::size_t kManyVertices = 5'000;  // From here on coordinates have one decimal.
 
+/// Somewhat larger: lines beside each other stand out at their bends.
+Box Grown(const Box& box) {
+  const Box shown = WithoutFlatSides(box);
+  const double margin = 0.02 * std::max(shown.size().x, shown.size().y);
+  return {shown.low - Point{margin, margin}, shown.high + Point{margin, margin}};
+}
+
 /// What the map shows: the world, and points near it; in the open plane, the points alone.
 Box ShownWorld(const Scene& scene, const FreeSpace& space, std::span<const Point> points) {
-  if (IsOpenPlane(scene.world)) return BoundingBox(points);
+  if (IsOpenPlane(scene.world)) return Grown(BoundingBox(points));
   Box box = space.box;
   if (box.empty()) box = BoundingBox(scene.world.outline);
   const Box world = WithoutFlatSides(box);

@@ -14,7 +14,7 @@
 namespace tautline {
 namespace {
 
-constexpr double kPadding = 16;
+constexpr double kPadding = 26;
 constexpr double kTallestMap = 620;
 constexpr double kLowestMap = 160;
 constexpr double kShortestFilm = 6;  // Seconds of the viewer's time.
@@ -75,10 +75,16 @@ Track TrackOf(const View& view, const std::vector<PlaybackFrame>& frames, std::s
   return track;
 }
 
+/// "3 robots, straight-concurrent: 14 s".
+std::string PlanText(const FleetGround& ground, const FleetPlan& plan) {
+  return std::to_string(ground.size()) + (ground.size() == 1 ? " robot, " : " robots, ") + ToString(plan.mode) + ": " +
+         TimeText(plan.travel_time);
+}
+
 void DrawStill(MapDrawing& map, const FleetGround& ground, const FleetFilm& film) {
   if (ground.size() > kMostInGraphs) return;
-  for (const Polyline& line : CableTracks(map.view(), ground, film.layout)) {
-    map.PixelLine("wanted", line, {.colour = "#d9dce0", .width = 4});
+  for (const Route& route : film.layout) {
+    map.Line("wanted", PointsOf(ground, route), {.colour = "#d9dce0", .width = 4});
   }
   for (const RobotSchedule& schedule : film.plan.schedule) {
     map.Line("path", schedule.path.points, {.colour = "#9a9a9a", .width = 0.8, .dashes = "2 4"});
@@ -142,6 +148,8 @@ std::vector<Polyline> AlignedKeyframes(std::span<const Polyline> lines) {
   return aligned;
 }
 
+int FilmFrames(std::size_t robots) { return robots <= 30 ? 160 : robots <= 300 ? 60 : 25; }
+
 std::string AnimateFleet(const Scene& scene, const FleetGround& ground, const FleetFilm& film) {
   TAUTLINE_CHECK(!film.frames.empty());
   const FreeSpace space = DrawnSpace(ground);
@@ -149,10 +157,8 @@ std::string AnimateFleet(const Scene& scene, const FleetGround& ground, const Fl
   const double width = SheetFrameWidth(1, 1, 1);
   const double height =
       std::clamp((width - 2 * kPadding) / box.size().x * box.size().y + 2 * kPadding, kLowestMap, kTallestMap);
-  SheetContent sheet{.title = std::to_string(ground.size()) + (ground.size() == 1 ? " robot, " : " robots, ") +
-                              ToString(film.plan.mode) + ": " + TimeText(film.plan.travel_time),
-                     .rows = {},
-                     .legend = MarksLegend()};
+  SheetContent sheet{
+      .title = film.title.empty() ? PlanText(ground, film.plan) : film.title, .rows = {}, .legend = MarksLegend()};
   const auto map_panel = [&](SvgWriter& svg, const Box& frame) {
     const Point padding{kPadding, kPadding};
     const View view(box, {frame.low + padding, frame.high - padding});

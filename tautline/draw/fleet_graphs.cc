@@ -94,6 +94,7 @@ void DrawPairGraph(SvgWriter& svg, const Box& frame, const FleetGround& ground, 
     DrawArrow(svg, at[pair.a.index()], at[pair.b.index()], {.bend = 0, .both = true, .wrong = true});
   }
   std::vector<std::pair<Point, std::string>> texts;
+  texts.reserve(labels.size());
   for (const auto& [pair, label] : labels) {
     texts.emplace_back(DrawArrow(svg, at[pair.first.index()], at[pair.second.index()], {}), label);
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "tautline/draw/curve.h"
 #include "tautline/draw/length_text.h"
+#include "tautline/planners/fleet/tracks.h"
 
 namespace tautline {
 namespace {
@@ -49,9 +49,9 @@ int FleetDecimals(const FleetGround& ground) {
 }
 
 std::vector<Polyline> CableTracks(const View& view, const FleetGround& ground, const FleetLayout& layout) {
-  std::vector<Polyline> lines;
-  for (const Route& route : layout) lines.push_back(view.ToPixels(PointsOf(ground, route)));
-  return RunSideBySide(lines, kTrackSpacing);
+  std::vector<Polyline> lines = SideBySide(ground, layout, {.spacing = kTrackSpacing / view.pixels_per_metre()});
+  for (Polyline& line : lines) line = view.ToPixels(line);
+  return lines;
 }
 
 void DrawCableLines(MapDrawing& map, const FleetGround& ground, const FleetLayout& layout) {

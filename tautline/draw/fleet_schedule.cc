@@ -32,8 +32,12 @@ std::vector<std::size_t> Shown(const FleetPlan& plan) {
 /// The labels of the crossings that are passed at an event.
 std::string LabelOf(const FleetPlan& plan, const FleetEvent& event) {
   std::string label;
+  const std::size_t straight = plan.passings.size();
+  // A motion that was not planned here has events and no labels.
+  if (straight + plan.detour_passings.size() == 0) return label;
   for (const std::size_t k : event.passings) {
-    if (k < plan.passings.size()) label += (label.empty() ? "" : ",") + plan.passings[k].label;
+    const Passing& passing = k < straight ? plan.passings[k] : plan.detour_passings[k - straight];
+    label += (label.empty() ? "" : ",") + passing.label;
   }
   return label;
 }
@@ -48,7 +52,9 @@ std::vector<GanttRow> ScheduleRows(const FleetGround& ground, const FleetPlan& p
     for (std::size_t k = 0; k < events.size(); ++k) {
       if (k > 0) row.bars.push_back({events[k - 1].departure, events[k].arrival, false});
       if (events[k].departure > events[k].arrival) row.bars.push_back({events[k].arrival, events[k].departure, true});
-      if (!events[k].passings.empty()) row.marks.push_back({events[k].departure, LabelOf(plan, events[k])});
+      if (events[k].kind == FleetEventKind::kPassing) {
+        row.marks.push_back({events[k].departure, LabelOf(plan, events[k])});
+      }
     }
     rows.push_back(std::move(row));
   }

@@ -11,7 +11,7 @@ namespace tautline {
 namespace {
 
 constexpr double kTallestRow = 30;
-constexpr double kLowestRow = 9;
+constexpr double kLowestRow = 11;
 constexpr double kFooter = 36;
 constexpr double kNameSize = 11.5;
 constexpr double kMostNameWidth = 110;

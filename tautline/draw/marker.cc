@@ -79,7 +79,8 @@ void DrawMarker(SvgWriter& svg, Marker marker, Point at, const std::string& colo
     case Marker::kStart:
       return svg.Rectangle({at - Point{5, 5}, at + Point{5, 5}}, {.fill = fill, .stroke = kHaloColour, .width = 1.4});
     case Marker::kTarget:
-      return svg.Circle(at, 5.5, {.fill = fill, .stroke = kHaloColour, .width = 1.4});
+      svg.Circle(at, 6.8, {.fill = kHaloColour});
+      return svg.Circle(at, 4.8, {.fill = kHaloColour, .stroke = fill, .width = 2.4});
     case Marker::kCrossing:
       return svg.Circle(at, 2.8, {.fill = kInkColour, .stroke = kHaloColour, .width = 0.8});
     case Marker::kRing:

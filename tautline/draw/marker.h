@@ -20,7 +20,7 @@ enum class Marker {
   kWinch,      ///< A drum: an anchor of a cable.
   kTask,       ///< A small square: a place to visit or to hold.
   kStart,      ///< A coloured square: where a robot of a fleet starts and is tied.
-  kTarget,     ///< A coloured disc: where a robot of a fleet shall end.
+  kTarget,     ///< A coloured ring: where a robot of a fleet shall end.
   kCrossing,   ///< A dot: where two lines meet.
   kRing,       ///< A wide ring around something wrong.
 };

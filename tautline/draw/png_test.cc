@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tautline/draw/example_fleet.h"
 #include "tautline/draw/example_pictures.h"
 
 namespace tautline {
@@ -45,7 +46,9 @@ TEST(RenderPng, RefusesBadInput) {
 TEST(RenderPng, RendersEveryExample) {
   const char* folder = std::getenv("TAUTLINE_PICTURES");
   if (folder != nullptr) std::filesystem::create_directories(folder);
-  for (const NamedPicture& picture : ExamplePictures()) {
+  std::vector<NamedPicture> pictures = ExamplePictures();
+  for (NamedPicture& picture : FleetPictures()) pictures.push_back(std::move(picture));
+  for (const NamedPicture& picture : pictures) {
     const Expected<std::string> png = RenderPng(picture.svg, folder != nullptr ? 1 : 0.1);
     ASSERT_TRUE(png) << picture.name << ": " << ToString(png.error());
     if (folder == nullptr) continue;

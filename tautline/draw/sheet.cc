@@ -78,7 +78,7 @@ void DrawTexts(SvgWriter& svg, const SheetPanel& panel, Point at, double width) 
 void DrawRow(SvgWriter& svg, const SheetRow& row, double top) {
   double shares = 0;
   for (const SheetPanel& panel : row.panels) shares += panel.share;
-  const auto count = static_cast<std::size_t>(row.shares > shares ? row.shares : row.panels.size());
+  const std::size_t count = row.shares > shares ? static_cast<std::size_t>(row.shares) : row.panels.size();
   shares = std::max(shares, row.shares);
   Point at{kMargin, top};
   const double text_height = TextHeight(row);

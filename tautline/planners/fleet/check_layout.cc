@@ -7,6 +7,7 @@
 
 #include "tautline/base/check.h"
 #include "tautline/geometry/predicates.h"
+#include "tautline/planners/fleet/tracks.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline {
@@ -124,6 +125,20 @@ std::string BothCables(const FleetGround& ground, const LayoutCrossing& fault) {
 
 }  // namespace
 
+namespace {
+
+/// Whether some route passes a node straight, so that its side is to be chosen.
+bool HasOpenSides(const FleetLayout& layout) {
+  for (const Route& route : layout) {
+    for (std::size_t i = 1; i + 1 < route.size(); ++i) {
+      if (route[i].side == Side::kNone) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 LayoutFaults CheckLayout(const FleetGround& ground, const FleetLayout& layout, const CheckLayoutOptions& options) {
   TAUTLINE_CHECK(layout.size() == ground.size());
   LayoutFaults faults;
@@ -136,6 +151,10 @@ LayoutFaults CheckLayout(const FleetGround& ground, const FleetLayout& layout, c
     if (tether && length > *tether) faults.short_tethers.push_back({robot, length, *tether});
   }
   PairCheck(ground, layout, options).Run(faults);
+  if (faults.crossings.empty() && HasOpenSides(layout)) {
+    // Each two lines find sides of the nodes that they pass straight; here one choice must suit all.
+    PairCheck(ground, WithSides(ground, layout), options).Run(faults);
+  }
   return faults;
 }
 

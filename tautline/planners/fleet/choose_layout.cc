@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
 
 #include "tautline/base/check.h"
 #include "tautline/homotopy/classes.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -124,6 +125,7 @@ class GraphMaker {
       const Entry& entry = entries[e];
       if (e == 0 || CompareSpots(path, entries[e - 1].place, entry.place) != 0) {
         for (; zone != zones.end() && zone->along < entry.place.spot.along; ++zone) AddZone(robot, *zone, chain);
+        if (MayHaveToWaitFor(robot, std::span(entries).subspan(e))) AddWaitBefore(robot, entry, chain);
         AddEvent(entry, chain);
       }
       if (entry.order == kNone) {
@@ -150,6 +152,24 @@ class GraphMaker {
     // Rounding must not turn the exact order around.
     if (!chain.empty()) event.along = std::max(event.along, chain.back().along);
     chain.push_back(event);
+  }
+
+  /// Whether these entries begin with the robot's target and another robot must pass that before. Whoever waits at a
+  /// crossing stands on it, and whoever waits for its target must not stand there.
+  bool MayHaveToWaitFor(RobotId robot, std::span<const Entry> entries) const {
+    if (entries.front().place.spot.segment + 1 != std::ssize(paths_[robot.index()].points)) return false;
+    return std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) {
+      return entry.order < orders_.size() && orders_[entry.order].second() == robot;
+    });
+  }
+
+  /// An event half way from the last one to the target.
+  void AddWaitBefore(RobotId robot, const Entry& target, std::vector<FleetEvent>& chain) const {
+    FleetEvent event;
+    event.kind = FleetEventKind::kEnter;
+    event.along = std::midpoint(chain.back().along, target.place.spot.along);
+    event.at = PointAlong(paths_[robot.index()], event.along);
+    if (event.along > chain.back().along) chain.push_back(event);
   }
 
   /// Tells a contact which event of a chain belongs to it.

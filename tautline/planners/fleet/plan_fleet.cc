@@ -201,11 +201,15 @@ class Planner {
     ModeSummary& summary = plan_.modes[IndexOf(FleetMode::kStraightConcurrent)] = Summarize(detours);
     if (!summary.realizable) summary.without_detours = CostTogether(straight_);
     concurrent_ = DriveWith(summary.detours);
-    const auto schedule = EarliestSchedule(ground_, concurrent_.paths, GraphOf(concurrent_, Gap()));
-    const auto points = schedule ? schedule : EarliestSchedule(ground_, concurrent_.paths, GraphOf(concurrent_, {}));
-    TAUTLINE_CHECK(points.has_value());
-    SetCost(CostOf(*points), summary);
-    if (schedule) plan_.schedule = *schedule;
+    auto schedule = EarliestSchedule(ground_, concurrent_.paths, GraphOf(concurrent_, Gap()));
+    if (schedule) {
+      SetCost(CostOf(*schedule), summary);
+      plan_.schedule = *std::move(schedule);
+      return;
+    }
+    const auto of_points = EarliestSchedule(ground_, concurrent_.paths, GraphOf(concurrent_, nullptr));
+    TAUTLINE_CHECK(of_points.has_value());
+    SetCost(CostOf(*of_points), summary);
   }
 
   OrderGraph PairGraph() const {

@@ -58,6 +58,11 @@ std::optional<std::vector<RobotSchedule>> EarliestSchedule(const FleetGround& gr
       event.arrival = events[e - 1].departure + way / ground.robot(robot).speed;
     }
     event.departure = std::max(event.arrival, not_before[v]);
+    if (event.kind == FleetEventKind::kTarget && event.departure > event.arrival) {
+      // It waits at the event before, which is there for that and holds up nobody else.
+      events[e - 1].departure += event.departure - event.arrival;
+      event.arrival = event.departure;
+    }
     for (const std::uint32_t next : flat.after[v]) {
       if (flat.robot_of[next] != robot) not_before[next] = std::max(not_before[next], event.departure);
     }

@@ -31,12 +31,17 @@ class Weaver {
  public:
   Weaver(const FleetGround& ground, const std::vector<Route>& routes) : ground_(ground), routes_(routes) {}
 
-  std::vector<Polyline> Weave(const TrackOptions& options) {
+  std::vector<Route> Settle() {
     FindEnds();
     for (std::size_t r = 0; r < routes_.size(); ++r) {
       for (std::size_t i = 1; i + 1 < routes_[r].size(); ++i) passages_[routes_[r][i].node].push_back({r, i, 1});
     }
     TakeSides();
+    return routes_;
+  }
+
+  std::vector<Polyline> Weave(const TrackOptions& options) {
+    Settle();
     FindReaches();
     const double spacing = options.spacing ? *options.spacing : TinySpacing();
     std::vector<Polyline> tracks;
@@ -284,6 +289,10 @@ class Weaver {
 };
 
 }  // namespace
+
+std::vector<Route> WithSides(const FleetGround& ground, const std::vector<Route>& routes) {
+  return Weaver(ground, routes).Settle();
+}
 
 std::vector<Polyline> SideBySide(const FleetGround& ground, const std::vector<Route>& routes,
                                  const TrackOptions& options) {

@@ -9,6 +9,11 @@
 
 namespace tautline {
 
+/// The same routes with a side for every node that they pass straight: that from which they cross neither the route that
+/// ends there nor those that bend around it, as far as one side suits all. O(n log n + shared parts) for n steps,
+/// expected.
+std::vector<Route> WithSides(const FleetGround& ground, const std::vector<Route>& routes);
+
 /// How routes are laid side by side.
 struct TrackOptions {
   /// The distance between neighbours, metres. Absent: so small that no track comes near a node that its route does not

@@ -83,7 +83,7 @@ TEST(Tracks, NestedAroundOneNode) {
 
 TEST(Tracks, TracksCrossWhereLayoutsDo) {
   const std::int64_t count = ScaledTestCount(20000);
-  std::int64_t compared = 0, crossing = 0, torn = 0;
+  std::int64_t compared = 0, crossing = 0;
   for (std::int64_t seed = 1; seed <= count; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(static_cast<std::uint64_t>(seed));
@@ -102,21 +102,9 @@ TEST(Tracks, TracksCrossWhereLayoutsDo) {
     const LayoutFaults faults = CheckLayout(*ground, layout);
     ++compared;
     crossing += crossings > 0 ? 1 : 0;
-    if (crossings > 0 && faults.crossings.empty()) {
-      // A line that runs straight over ends of others may be on one side of them for one of these and on the other side
-      // for another, pair by pair, and cannot for all of them together.
-      const auto is_open = [](const Route& route) {
-        return std::any_of(route.begin() + 1, route.end() - 1,
-                           [](const RouteStep& step) { return step.side == Side::kNone; });
-      };
-      ASSERT_TRUE(std::any_of(layout.begin(), layout.end(), is_open));
-      ++torn;
-      continue;
-    }
     ASSERT_EQ(crossings == 0, faults.crossings.empty());
   }
   EXPECT_GT(compared, count / 4);
-  EXPECT_LT(torn, compared / 1000);
   EXPECT_GT(crossing, compared / 10);
   EXPECT_LT(crossing, compared * 99 / 100);
 }
