@@ -98,7 +98,7 @@ void RegisterBenchmarks(bool tiny) {
   const double lengths[] = {55, 175, 550, 1750, 5500};
   for (int i = 0; i < 5; ++i) {
     const int side = static_cast<int>(2.2 * lengths[i]);
-    const BlockField open{.side = tiny ? 100 : side, .spacing = tiny ? 50 : side / 2, .block = 9};
+    const BlockField open{.side = tiny ? 100 : side, .spacing = tiny ? 50 : side / 2, .block = tiny ? 9 : side / 5};
     with("manifold/growth/1e" + std::to_string(4 + i), i < 3 ? 5 : 1,
          [=](benchmark::State& s) { Build(s, open, tiny ? 20 : lengths[i], false); });
   }

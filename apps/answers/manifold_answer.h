@@ -31,7 +31,7 @@ struct ManifoldQuestion {
   ParallelRanges parallel;                         ///< Runs ranges in threads.
 };
 
-struct ManifoldAnswer {
+struct ManifoldAnswer {  // NOLINT(bugprone-exception-escape): the JSON library moves its values without noexcept.
   std::optional<GridManifold> manifold;  ///< Nothing where the base is blocked, and with `literal`.
   std::vector<ManifoldSheet> sheets;     ///< With `sheets`.
   std::string explanation;               ///< Why it is not solved; empty when it is.

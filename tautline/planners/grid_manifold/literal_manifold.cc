@@ -68,7 +68,7 @@ class LiteralBuilder {
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
       Vertex& vertex = at(from);
       TAUTLINE_CHECK(vertex.degree < 4);
-      vertex.beside[static_cast<std::size_t>(vertex.degree++)] = to;
+      vertex.beside[vertex.degree++] = to;
     }
     ++v_.edges;
   }

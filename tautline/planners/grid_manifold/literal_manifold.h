@@ -17,7 +17,7 @@ struct LiteralManifold {
     GridCell cell;                                       ///< POS.
     std::int32_t distance = 0;                           ///< DIST, steps.
     std::array<std::int32_t, 4> beside{-1, -1, -1, -1};  ///< ADJACENT, in the order of insertion.
-    std::int8_t degree = 0;                              ///< How many of them there are.
+    std::uint8_t degree = 0;                             ///< How many of them there are.
   };
   std::vector<Vertex> vertices;  ///< In the order of their making, the base first.
   std::int64_t edges = 0;        ///< Each once.

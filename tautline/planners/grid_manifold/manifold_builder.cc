@@ -14,6 +14,9 @@ constexpr std::uint32_t kNoPage = GridManifold::kNoPage;
 /// Pages; fewer are done before another thread wakes up.
 constexpr std::size_t kWorthwhile = 64;
 
+/// The bit of a link; the last one stands for all further links, of patches around many islands.
+std::uint64_t BitOf(std::size_t link) { return std::uint64_t{1} << std::min<std::size_t>(link, 63); }
+
 }  // namespace
 
 ManifoldBuilder::ManifoldBuilder(GridManifold& manifold, const ManifoldOptions& options)
@@ -56,11 +59,13 @@ void ManifoldBuilder::AddBase() {
 }
 
 void ManifoldBuilder::InRanges(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) const {
-  if (options_.parallel && count >= kWorthwhile) {
-    options_.parallel(count, work);
-  } else {
-    work(0, count);
-  }
+  if (count >= kWorthwhile) return InThreads(count, work);
+  work(0, count);
+}
+
+void ManifoldBuilder::InThreads(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) const {
+  if (options_.parallel) return options_.parallel(count, work);
+  work(0, count);
 }
 
 /// The pages whose turn it is. Those that came to wait elsewhere with a lower key are left out.
@@ -76,25 +81,35 @@ void ManifoldBuilder::TakeBatch(std::size_t bucket) {
 }
 
 void ManifoldBuilder::RunBatch() {
+  open_links_.assign(batch_.size(), 0);
+  lowered_links_.assign(batch_.size(), 0);
   InRanges(batch_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) Sweep(batch_[i]);
+    for (std::size_t i = begin; i < end; ++i) Sweep(i);
   });
-  for (const std::uint32_t page : batch_) MakeLinks(page);
-  if (options_.parallel && batch_.size() >= kWorthwhile) {
+  for (std::size_t i = 0; i < batch_.size(); ++i) MakeLinks(i);
+  // In the same order with one thread as with many: what a page hands on depends on what it was handed just before.
+  if (batch_.size() >= kWorthwhile) {
     HandOnInColours();
   } else {
-    for (const std::uint32_t page : batch_) HandOn(page);
+    for (std::size_t i = 0; i < batch_.size(); ++i) {
+      if (i + 2 < batch_.size()) FetchBeside(batch_[i + 2]);
+      HandOn(i);
+    }
   }
-  for (const std::uint32_t page : batch_) Enqueue(page);
+  for (std::size_t i = 0; i < batch_.size(); ++i) Enqueue(i);
 }
 
 void ManifoldBuilder::HandOnInColours() {
   for (auto& share : shares_) share.clear();
-  for (const std::uint32_t page : batch_) shares_[ShareOf(m_.pages_[page])].push_back(page);
+  for (std::uint32_t i = 0; i < batch_.size(); ++i) shares_[ShareOf(m_.pages_[batch_[i]])].push_back(i);
   for (std::size_t colour = 0; colour < kColours; ++colour) {
-    options_.parallel(kShares, [&](std::size_t begin, std::size_t end) {
+    InThreads(kShares, [&](std::size_t begin, std::size_t end) {
       for (std::size_t share = begin; share < end; ++share) {
-        for (const std::uint32_t page : shares_[colour * kShares + share]) HandOn(page);
+        const auto& places = shares_[colour * kShares + share];
+        for (std::size_t i = 0; i < places.size(); ++i) {
+          if (i + 2 < places.size()) FetchBeside(batch_[places[i + 2]]);
+          HandOn(places[i]);
+        }
       }
     });
   }
@@ -107,8 +122,8 @@ std::size_t ManifoldBuilder::ShareOf(const Page& page) const {
   return (column % 3 + 3 * (row % 3)) * kShares + (column / 3 + 7 * (row / 3)) % kShares;
 }
 
-void ManifoldBuilder::Sweep(std::uint32_t number) {
-  Page& page = m_.pages_[number];
+void ManifoldBuilder::Sweep(std::size_t at) {
+  Page& page = m_.pages_[batch_[at]];
   const PatchAtlas::Shape& shape = m_.atlas_.shape(page.patch);
   LatticeDistance* values = &m_.values_[page.first_value];
   TileDistances tile;
@@ -116,6 +131,10 @@ void ManifoldBuilder::Sweep(std::uint32_t number) {
   page.cells |= RelaxTile(shape.moves, shape.open, m_.atlas_.connectivity() == Connectivity::kEight, tile);
   for (std::size_t i = 0; i < tile.at.size(); ++i) tile.at[i] = tile.at[i] > m_.limit_ ? kUnreached : tile.at[i];
   StoreTile(shape, tile, values);
+  const auto links = m_.atlas_.links(page.patch);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (m_.links_[page.first_link + i] == kNoPage && CanCross(page, links[i])) open_links_[at] |= BitOf(i);
+  }
 }
 
 /// Whether a distance of the page leads across the link to one within the limit.
@@ -131,14 +150,17 @@ bool ManifoldBuilder::CanCross(const Page& page, const PatchAtlas::Link& link) c
   return false;
 }
 
-void ManifoldBuilder::MakeLinks(std::uint32_t number) {
+void ManifoldBuilder::MakeLinks(std::size_t at) {
+  if (open_links_[at] == 0) return;
+  const std::uint32_t number = batch_[at];
   const auto links = m_.atlas_.links(m_.pages_[number].patch);
   for (std::size_t i = 0; i < links.size(); ++i) {
     const Page& page = m_.pages_[number];
-    const std::size_t at = page.first_link + i;
-    if (m_.links_[at] != kNoPage || !CanCross(page, links[i])) continue;
+    if ((open_links_[at] & BitOf(i)) == 0 || m_.links_[page.first_link + i] != kNoPage) continue;
+    if (i >= 63 && !CanCross(page, links[i])) continue;
     const std::uint32_t to = Obtain(links[i].to, WordAcross(page.word, links[i]));
-    m_.links_[at] = to;
+    m_.links_[page.first_link + i] = to;
+    m_.links_[m_.pages_[to].first_link + links[i].back] = number;
   }
 }
 
@@ -148,9 +170,23 @@ WordTrie::WordNumber ManifoldBuilder::WordAcross(WordTrie::WordNumber word, cons
   return word;
 }
 
+/// Asks for the memory that handing on will write to, which lies all over.
+void ManifoldBuilder::FetchBeside(std::uint32_t number) const {
+  constexpr std::size_t kLine = 16;  // Distances.
+  const Page& page = m_.pages_[number];
+  const std::size_t links = m_.atlas_.links(page.patch).size();
+  for (std::size_t i = 0; i < links; ++i) {
+    const std::uint32_t to = m_.links_[page.first_link + i];
+    if (to == kNoPage) continue;
+    const Page& other = m_.pages_[to];
+    const std::size_t count = m_.atlas_.shape(other.patch).count;
+    for (std::size_t at = 0; at < count; at += kLine) __builtin_prefetch(&m_.values_[other.first_value + at], 1);
+  }
+}
+
 /// Offers the changed distances of a page to the pages beside it.
-void ManifoldBuilder::HandOn(std::uint32_t number) {
-  Page& page = m_.pages_[number];
+void ManifoldBuilder::HandOn(std::size_t place) {
+  Page& page = m_.pages_[batch_[place]];
   const PatchAtlas::Shape& shape = m_.atlas_.shape(page.patch);
   const LatticeDistance* values = &m_.values_[page.first_value];
   const auto links = m_.atlas_.links(page.patch);
@@ -170,6 +206,7 @@ void ManifoldBuilder::HandOn(std::uint32_t number) {
         value = offer;
         other.cells |= TileMask{1} << beside;
         other.key = std::min(other.key, offer);
+        lowered_links_[place] |= BitOf(i);
       }
     }
   }
@@ -178,10 +215,12 @@ void ManifoldBuilder::HandOn(std::uint32_t number) {
 }
 
 /// Lets the pages beside a page wait with their new keys.
-void ManifoldBuilder::Enqueue(std::uint32_t number) {
-  const Page& page = m_.pages_[number];
+void ManifoldBuilder::Enqueue(std::size_t at) {
+  if (lowered_links_[at] == 0) return;
+  const Page& page = m_.pages_[batch_[at]];
   const std::size_t links = m_.atlas_.links(page.patch).size();
   for (std::size_t i = 0; i < links; ++i) {
+    if ((lowered_links_[at] & BitOf(i)) == 0) continue;
     const std::uint32_t to = m_.links_[page.first_link + i];
     if (to != kNoPage) Queue(to);
   }
@@ -283,20 +322,29 @@ void ManifoldBuilder::CutAt(LatticeDistance distance) {
 
 /// The vertices of each page, and the links that nothing went across.
 void ManifoldBuilder::Finish() {
-  bool at_the_end = false;
-  for (std::uint32_t number = 0; number < m_.page_count_; ++number) {
-    Page& page = m_.pages_[number];
-    TileDistances tile;
-    LoadTile(m_.atlas_.shape(page.patch), &m_.values_[page.first_value], tile);
-    page.cells = 0;
-    for (std::size_t i = 0; i < tile.at.size(); ++i) {
-      page.cells |= static_cast<TileMask>(tile.at[i] != kUnreached) << i;
-      at_the_end = at_the_end || (tile.at[i] != kUnreached && tile.at[i] > m_.limit_ - kDiagonalStep);
+  InRanges(m_.page_count_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t page = begin; page < end; ++page) {
+      SetVertices(static_cast<std::uint32_t>(page));
+      FindLinks(static_cast<std::uint32_t>(page));
+    }
+  });
+  if (m_.stop_ != ManifoldStop::kNone || m_.length_m_ <= kFarthestCells * m_.ground_.cell_m()) return;
+  for (std::uint32_t page = 0; page < m_.page_count_; ++page) {
+    const LatticeDistance* values = &m_.values_[m_.pages_[page].first_value];
+    for (int i = 0; i < m_.atlas_.shape(m_.pages_[page].patch).count; ++i) {
+      if (values[i] != kUnreached && values[i] > m_.limit_ - kDiagonalStep) m_.stop_ = ManifoldStop::kDistance;
     }
   }
-  const bool farther = m_.length_m_ > kFarthestCells * m_.ground_.cell_m();
-  if (m_.stop_ == ManifoldStop::kNone && farther && at_the_end) m_.stop_ = ManifoldStop::kDistance;
-  for (std::uint32_t page = 0; page < m_.page_count_; ++page) FindLinks(page);
+}
+
+void ManifoldBuilder::SetVertices(std::uint32_t number) {
+  Page& page = m_.pages_[number];
+  TileDistances tile;
+  LoadTile(m_.atlas_.shape(page.patch), &m_.values_[page.first_value], tile);
+  page.cells = 0;
+  for (std::size_t i = 0; i < tile.at.size(); ++i) {
+    page.cells |= static_cast<TileMask>(tile.at[i] != kUnreached) << i;
+  }
 }
 
 void ManifoldBuilder::FindLinks(std::uint32_t number) {

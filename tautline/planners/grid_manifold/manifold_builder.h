@@ -37,11 +37,14 @@ class ManifoldBuilder {
   void RunBatch();
   void HandOnInColours();
   void InRanges(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) const;
-  void Sweep(std::uint32_t page);
-  void MakeLinks(std::uint32_t page);
-  void HandOn(std::uint32_t page);
-  void Enqueue(std::uint32_t page);
-  void Queue(std::uint32_t page);
+  void InThreads(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) const;
+  void Sweep(std::size_t at);
+  void MakeLinks(std::size_t at);
+  void FetchBeside(std::uint32_t number) const;
+  void HandOn(std::size_t place);
+  void Enqueue(std::size_t at);
+  void SetVertices(std::uint32_t number);
+  void Queue(std::uint32_t number);
   bool CanCross(const Page& page, const PatchAtlas::Link& link) const;
   std::size_t Slot(PatchAtlas::PatchNumber patch, WordTrie::WordNumber word) const;
   WordTrie::WordNumber WordAcross(WordTrie::WordNumber word, const PatchAtlas::Link& link);
@@ -52,12 +55,15 @@ class ManifoldBuilder {
   bool HasTooMany(std::size_t bucket, LatticeDistance done);
   void CutAt(LatticeDistance distance);
   void Finish();
-  void FindLinks(std::uint32_t page);
+  void FindLinks(std::uint32_t number);
 
   GridManifold& m_;
   const ManifoldOptions& options_;
   std::vector<std::vector<std::uint32_t>> buckets_;
   std::vector<std::uint32_t> batch_;
+  std::vector<std::uint64_t> open_links_;  ///< By place in the batch: bits of links that lead to a page yet unknown.
+  std::vector<std::uint64_t>
+      lowered_links_;  ///< By place in the batch: bits of links across which something got lower.
   std::array<std::vector<std::uint32_t>, kColours * kShares> shares_;
   std::size_t next_check_ = 0;  ///< Values after which the vertices are counted next.
 };

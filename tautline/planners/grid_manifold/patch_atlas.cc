@@ -1,7 +1,6 @@
 #include "tautline/planners/grid_manifold/patch_atlas.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -33,6 +32,8 @@ class PatchCutter {
     atlas_.tile_rows_ = (ground_.rows() + kTileSide - 1) / kTileSide;
     const int tiles = atlas_.tile_columns_ * atlas_.tile_rows_;
     FindLowestRays();
+    patch_of_cell_.assign(ground_.grid().cells.size(), 0);
+    word_of_cell_.assign(ground_.grid().cells.size(), WordTrie::kEmpty);
     for (int tile = 0; tile < tiles; ++tile) plain_.push_back(IsPlain(tile));
     for (int tile = 0; tile < tiles; ++tile) {
       atlas_.first_patch_.push_back(static_cast<std::uint32_t>(atlas_.patches_.size()));
@@ -40,6 +41,7 @@ class PatchCutter {
     }
     atlas_.first_patch_.push_back(static_cast<std::uint32_t>(atlas_.patches_.size()));
     for (std::uint32_t patch = 0; patch < atlas_.patches_.size(); ++patch) AddLinks(patch);
+    PairLinks();
   }
 
  private:
@@ -78,7 +80,8 @@ class PatchCutter {
     if (column == 0 || row == 0 || column + 1 == atlas_.tile_columns_ || row + 1 == atlas_.tile_rows_) return false;
     for (int y = -1; y <= 1; ++y) {
       for (int x = -1; x <= 1; ++x) {
-        if (!plain_[static_cast<std::size_t>(tile + y * atlas_.tile_columns_ + x)]) return false;
+        const int beside = tile + y * atlas_.tile_columns_ + x;
+        if (!plain_[static_cast<std::size_t>(beside)]) return false;
       }
     }
     return true;
@@ -117,6 +120,12 @@ class PatchCutter {
 
   void CutTile(int tile) {
     if (plain_[static_cast<std::size_t>(tile)] && open_shape_) {
+      const GridCell low = CellAt(tile, 0);
+      for (int row = 0; row < kTileSide; ++row) {
+        const auto first =
+            patch_of_cell_.begin() + static_cast<std::ptrdiff_t>(ground_.grid().index(low.column, low.row + row));
+        std::fill(first, first + kTileSide, static_cast<std::uint32_t>(atlas_.patches_.size()));
+      }
       atlas_.patches_.push_back({static_cast<std::uint32_t>(tile), *open_shape_, 0, 0});
       return;
     }
@@ -162,6 +171,10 @@ class PatchCutter {
       if ((shape.cells >> cell & 1) == 0) continue;
       const auto at = static_cast<std::size_t>(cell);
       shape.position[at] = position++;
+      const GridCell in_ground = CellAt(tile, cell);
+      const std::size_t index = ground_.grid().index(in_ground.column, in_ground.row);
+      patch_of_cell_[index] = patch;
+      word_of_cell_[index] = words_of_[at];
       if (words_of_[at] != WordTrie::kEmpty) atlas_.cell_words_.push_back({patch, cell, words_of_[at]});
     }
     shape.open = shape.count == kTileCells && shape.moves == OpenMoves(step() == 1);
@@ -172,12 +185,13 @@ class PatchCutter {
     atlas_.patches_.push_back({static_cast<std::uint32_t>(tile), found->second, 0, 0});
   }
 
-  /// What is appended to the word of the patch by a step from `from` to `to`.
-  WordNumber Change(PatchAtlas::Place from, std::size_t d, PatchAtlas::Place to) {
-    const WordNumber before = atlas_.WordOf(from), after = atlas_.WordOf(to);
-    WordNumber word = AfterStep(before, atlas_.CellOf(from), d);
-    for (WordNumber w = after; w != WordTrie::kEmpty; w = atlas_.words_.parent(w)) {
-      word = atlas_.words_.Append(word, atlas_.words_.last(w) ^ 1);
+  /// What is appended to the word of the patch by a step.
+  WordNumber Change(GridCell from, std::size_t d, GridCell to) {
+    WordNumber word = AfterStep(word_of_cell_[ground_.grid().index(from.column, from.row)], from, d);
+    WordNumber after = word_of_cell_[ground_.grid().index(to.column, to.row)];
+    if (word == after) return WordTrie::kEmpty;
+    for (; after != WordTrie::kEmpty; after = atlas_.words_.parent(after)) {
+      word = atlas_.words_.Append(word, atlas_.words_.last(after) ^ 1);
     }
     return word;
   }
@@ -196,35 +210,70 @@ class PatchCutter {
     atlas_.patches_[patch].first_link = static_cast<std::uint32_t>(atlas_.links_.size());
     atlas_.patches_[patch].links = static_cast<std::uint32_t>(plain_links_.size());
     for (auto [offset, link] : plain_links_) {
-      link.to = atlas_.first_patch_[static_cast<std::size_t>(tile + offset)];
+      const int beside = tile + offset;
+      link.to = atlas_.first_patch_[static_cast<std::size_t>(beside)];
       atlas_.links_.push_back(link);
     }
   }
 
   void FindLinks(std::uint32_t patch) {
-    const PatchAtlas::Shape shape = atlas_.shape(patch);
-    std::map<std::tuple<std::uint32_t, WordNumber>, std::map<std::size_t, PatchAtlas::Crossing>> links;
+    const PatchAtlas::Shape& shape = atlas_.shape(patch);
+    const auto tile = static_cast<int>(atlas_.patches_[patch].tile);
+    exits_.clear();
     for (std::size_t d = 0; d < kDirections; d += step()) {
       for (TileMask cells = shape.cells & ~shape.moves[d]; cells != 0; cells &= cells - 1) {
         const int cell = __builtin_ctzll(cells);
-        const PatchAtlas::Place from{patch, cell};
-        const GridCell at = atlas_.CellOf(from);
+        const GridCell at = CellAt(tile, cell), to{at.column + kStepColumns[d], at.row + kStepRows[d]};
         if (!ground_.CanStep(at, static_cast<int>(d))) continue;
-        const PatchAtlas::Place to = atlas_.PlaceOf({at.column + kStepColumns[d], at.row + kStepRows[d]});
-        PatchAtlas::Crossing& crossing = links[{to.patch, Change(from, d, to)}][d];
-        crossing.from |= TileMask{1} << cell;
-        crossing.direction = static_cast<std::int8_t>(d);
-        crossing.offset = static_cast<std::int8_t>(to.cell - cell);
+        const int beside = to.row % kTileSide * kTileSide + to.column % kTileSide;
+        exits_.push_back({patch_of_cell_[ground_.grid().index(to.column, to.row)], Change(at, d, to),
+                          static_cast<std::int8_t>(d), static_cast<std::int8_t>(cell),
+                          static_cast<std::int8_t>(beside - cell)});
       }
     }
+    std::sort(exits_.begin(), exits_.end());
     atlas_.patches_[patch].first_link = static_cast<std::uint32_t>(atlas_.links_.size());
-    atlas_.patches_[patch].links = static_cast<std::uint32_t>(links.size());
-    for (const auto& [target, by_direction] : links) {
-      std::vector<PatchAtlas::Crossing> crossings;
-      for (const auto& [d, crossing] : by_direction) crossings.push_back(crossing);
-      atlas_.links_.push_back(
-          {std::get<0>(target), std::get<1>(target), Intern(crossings), static_cast<std::uint32_t>(crossings.size())});
+    for (std::size_t i = 0; i < exits_.size();) i = AddLink(i);
+    atlas_.patches_[patch].links = static_cast<std::uint32_t>(atlas_.links_.size()) - atlas_.patches_[patch].first_link;
+  }
+
+  /// The link of an exit and of those after it that lead to the same page; the first exit of the next link.
+  std::size_t AddLink(std::size_t first) {
+    std::vector<PatchAtlas::Crossing> crossings;
+    std::size_t i = first;
+    for (; i < exits_.size() && exits_[i].to == exits_[first].to && exits_[i].word == exits_[first].word; ++i) {
+      if (crossings.empty() || crossings.back().direction != exits_[i].direction) {
+        crossings.push_back({0, exits_[i].direction, exits_[i].offset});
+      }
+      crossings.back().from |= TileMask{1} << exits_[i].cell;
     }
+    atlas_.links_.push_back(
+        {exits_[first].to, exits_[first].word, Intern(crossings), static_cast<std::uint32_t>(crossings.size()), 0});
+    return i;
+  }
+
+  /// Finds for each link the one that leads back.
+  void PairLinks() {
+    for (std::uint32_t patch = 0; patch < atlas_.patches_.size(); ++patch) {
+      for (std::uint32_t i = 0; i < atlas_.patches_[patch].links; ++i) {
+        PatchAtlas::Link& link = atlas_.links_[atlas_.patches_[patch].first_link + i];
+        const WordNumber back = Inverse(link.word);
+        const auto others = atlas_.links(link.to);
+        const auto found = std::find_if(others.begin(), others.end(), [&](const PatchAtlas::Link& other) {
+          return other.to == patch && other.word == back;
+        });
+        TAUTLINE_CHECK(found != others.end());
+        link.back = static_cast<std::uint32_t>(found - others.begin());
+      }
+    }
+  }
+
+  WordNumber Inverse(WordNumber word) {
+    WordNumber inverse = WordTrie::kEmpty;
+    for (; word != WordTrie::kEmpty; word = atlas_.words_.parent(word)) {
+      inverse = atlas_.words_.Append(inverse, atlas_.words_.last(word) ^ 1);
+    }
+    return inverse;
   }
 
   /// Where these crossings stand; most patches have the same ones.
@@ -239,8 +288,22 @@ class PatchCutter {
     return found->second;
   }
 
+  /// A step out of a patch.
+  struct Exit {
+    std::uint32_t to = 0;
+    WordNumber word = 0;
+    std::int8_t direction = 0, cell = 0, offset = 0;
+
+    friend bool operator<(const Exit& a, const Exit& b) {
+      return std::tie(a.to, a.word, a.direction, a.cell) < std::tie(b.to, b.word, b.direction, b.cell);
+    }
+  };
+
   const CellGround& ground_;
   PatchAtlas& atlas_;
+  std::vector<std::uint32_t> patch_of_cell_;  ///< By cell of the ground.
+  std::vector<WordNumber> word_of_cell_;      ///< Within the patch.
+  std::vector<Exit> exits_;
   std::vector<int> lowest_ray_;  ///< By column of tiles; the number of rows where there is none.
   std::vector<bool> plain_;      ///< By tile.
   std::optional<std::uint32_t> open_shape_;
@@ -254,7 +317,8 @@ PatchAtlas::PatchAtlas(const CellGround& ground, Connectivity connectivity) : co
 }
 
 PatchAtlas::Place PatchAtlas::PlaceOf(GridCell cell) const {
-  const auto tile = static_cast<std::size_t>(cell.row / kTileSide * tile_columns_ + cell.column / kTileSide);
+  const int number = cell.row / kTileSide * tile_columns_ + cell.column / kTileSide;
+  const auto tile = static_cast<std::size_t>(number);
   const int in_tile = cell.row % kTileSide * kTileSide + cell.column % kTileSide;
   for (PatchNumber patch = first_patch_[tile]; patch < first_patch_[tile + 1]; ++patch) {
     if ((shape(patch).cells >> in_tile & 1) != 0) return {patch, in_tile};

@@ -37,6 +37,7 @@ class PatchAtlas {
     WordTrie::WordNumber word = 0;     ///< What they append to the word of the patch, in words().
     std::uint32_t first_crossing = 0;  ///< Its crossings.
     std::uint32_t crossings = 0;       ///< How many.
+    std::uint32_t back = 0;            ///< Which link of that patch leads back.
   };
   /// What patches of one form share.
   struct Shape {
