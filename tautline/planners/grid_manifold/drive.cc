@@ -54,19 +54,28 @@ class GoalDrive {
     outcome_.deadlocks_entered = true;
   }
 
-  /// [Igarashi2010, Sec. 4.2]
+  /// [Igarashi2010, Sec. 4.2] The way is open where a trial succeeds: a taut cable sweeps over the ground, so a way that
+  /// is open as the cable lies may not stay so.
   void Retract(DriveState& state) {
-    for (;;) {
-      const LegEnd end = driver_.Drive(visit_.destination(), state);
-      Fail(end);
-      if (end != LegEnd::kBlocked || outcome_.targets == options_.max_targets) return;
-      ++outcome_.targets;
-      outcome_.failure = DriveFailure::kNone;
-      const LegEnd back = driver_.DriveBack(state, [&](const DriveState& now) { return visit_.IsWayOpen(now); });
-      if (back == LegEnd::kStopped) continue;
-      Fail(back);
-      return;
-    }
+    if (TakeVisit(visit_.Try(state), state)) return;
+    ++outcome_.targets;
+    std::optional<DriveState> visited;
+    double looked_s = state.cable.time_s();
+    const LegEnd end = driver_.DriveBack(state, [&](const DriveState& now) {
+      const bool at_base = now.at == driver_.manifold().base_vertex();
+      if (!at_base && now.cable.time_s() < looked_s + driver_.LookAfter()) return false;
+      looked_s = now.cable.time_s();
+      if (!visit_.IsWayOpen(now)) return false;
+      ++outcome_.trials;
+      visited = visit_.Try(now);
+      return visited.has_value();
+    });
+    if (!TakeVisit(std::move(visited), state)) Fail(end);
+  }
+
+  static bool TakeVisit(std::optional<DriveState> visited, DriveState& state) {
+    if (visited) state = *std::move(visited);
+    return visited.has_value();
   }
 
   void Extended(DriveState& state) {
@@ -82,10 +91,7 @@ class GoalDrive {
 
   /// Visits the goal, with untangling if it must.
   bool Commit(const GoalVisit& visit, DriveState& state) {
-    if (auto visited = visit.Try(state)) {
-      state = *std::move(visited);
-      return true;
-    }
+    if (TakeVisit(visit.Try(state), state)) return true;
     if (options_.untangle != Untangling::kSearch &&
         Take(Untangle(driver_, visit, state, options_.max_targets), state)) {
       return true;

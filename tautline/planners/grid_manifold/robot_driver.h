@@ -52,6 +52,9 @@ class RobotDriver {
   /// How it drives.
   const RobotOptions& options() const { return options_; }
 
+  /// How often trials look whether the way is open: each time that the robot has driven as far as it is wide, seconds.
+  double LookAfter() const { return 2 * options_.radius_m / options_.speed_mps; }
+
   /// Other vertices not to be entered.
   void Close(VertexMask closed);
 

@@ -36,7 +36,6 @@ Choice Choose(RobotDriver& driver, const GoalVisit& visit, const DriveState& sta
 
 TargetTrial TryTarget(RobotDriver& driver, const GoalVisit& visit, const DriveState& state, ManifoldVertex target) {
   TargetTrial trial{.after = state, .visited = {}};
-  const double look_after_s = 2 * driver.options().radius_m / driver.options().speed_mps;
   double looked_s = state.cable.time_s();
   const auto look = [&](const DriveState& now) {
     if (!visit.IsWayOpen(now)) return false;
@@ -44,7 +43,7 @@ TargetTrial TryTarget(RobotDriver& driver, const GoalVisit& visit, const DriveSt
     return trial.visited.has_value();
   };
   const LegEnd end = driver.Drive(ToVertex(driver.manifold(), target), trial.after, [&](const DriveState& now) {
-    if (now.cable.time_s() < looked_s + look_after_s) return false;
+    if (now.cable.time_s() < looked_s + driver.LookAfter()) return false;
     looked_s = now.cable.time_s();
     return look(now);
   });
