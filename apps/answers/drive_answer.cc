@@ -111,6 +111,12 @@ class Driving {
     options.on_goal = [&](std::size_t done) {
       if (watch) watch("drive", static_cast<double>(done) / static_cast<double>(goals.size()));
     };
+    if (question_.prevent_deadlocks && options.controller == DriveController::kExtended) {
+      if (watch) watch("deadlocks", 0);
+      const DeadlockAreas areas(manifold, options.robot.keep_going);
+      answer_.json["deadlock_vertices"] = areas.closed_vertices();
+      options.deadlocks = ClosedBy(manifold, areas);
+    }
     const DriveResult result = Drive(manifold, *start, goals, options);
     answer_.trace = TraceDrive(manifold, *start, result, options.robot, {.sample_s = question_.sample_s});
     AddResult(manifold, result);

@@ -42,7 +42,8 @@ double ObviousClearance(const DriveState& state, Point p, double radius) {
   std::size_t end = shape.size() - 1;
   while (end > 0 && Distance(shape[end], state.cable.robot()) <= radius) --end;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < end; ++i) least = std::min(least, Distance(p, NearestOnSegment(p, shape[i], shape[i + 1])));
+  for (std::size_t i = 0; i < end; ++i)
+    least = std::min(least, Distance(p, NearestOnSegment(p, shape[i], shape[i + 1])));
   return least;
 }
 
@@ -101,9 +102,8 @@ TEST(FindWay, IsAsShortAsTheRegionSays) {
         const auto to = open.Step(met[i].first, d);
         if (!to) continue;
         const LatticeDistance distance = met[i].second + StepLength(d);
-        const bool worse = std::any_of(met.begin(), met.end(), [&](const auto& other) {
-          return other.first == *to && other.second <= distance;
-        });
+        const bool worse = std::any_of(
+            met.begin(), met.end(), [&](const auto& other) { return other.first == *to && other.second <= distance; });
         if (!worse) met.push_back({*to, distance});
       }
     }

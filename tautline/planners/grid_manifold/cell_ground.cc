@@ -11,6 +11,8 @@ namespace tautline {
 namespace {
 
 constexpr std::int32_t kNone = -1;
+/// Of a cell: what rounding leaves of a coordinate on a side.
+constexpr double kOnSide = 1e-9;
 
 /// The islands of blocked cells: by cell its island, and by island its highest cell, the first of those.
 struct CellIslands {
@@ -116,10 +118,13 @@ Point CellGround::LocalOf(Point p) const {
   return {(c * d.x + s * d.y) / grid_.cell_m, (c * d.y - s * d.x) / grid_.cell_m};
 }
 
+GridCell CellGround::StartOf(const Ray& ray) const {
+  return {std::clamp(static_cast<int>(std::floor(ray.x + kOnSide)), 0, columns() - 1), ray.above_row};
+}
+
 std::optional<GridCell> CellGround::CellAt(Point p) const {
   const Point local = LocalOf(p);
   const auto in = [](double at, int count) -> std::optional<int> {
-    constexpr double kOnSide = 1e-9;  // Of a cell: what rounding leaves of a coordinate on a side.
     if (!(at >= -kOnSide && at <= count + kOnSide)) return std::nullopt;
     return std::clamp(static_cast<int>(std::floor(at + kOnSide)), 0, count - 1);
   };

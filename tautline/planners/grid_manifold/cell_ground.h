@@ -66,6 +66,8 @@ class CellGround {
   };
   /// The rays between the columns before `column` and `column`, from left to right.
   std::span<const Ray> RaysBefore(int column) const;
+  /// The cell of its island that a ray starts in.
+  GridCell StartOf(const Ray& ray) const;
 
   /// The cell that a point lies in; one on a side lies in the cell to the right or above, at the far border of the
   /// grid in the last one. Nothing outside of the grid.

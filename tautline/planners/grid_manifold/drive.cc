@@ -54,8 +54,8 @@ class GoalDrive {
     outcome_.deadlocks_entered = true;
   }
 
-  /// [Igarashi2010, Sec. 4.2] The way is open where a trial succeeds: a taut cable sweeps over the ground, so a way that
-  /// is open as the cable lies may not stay so.
+  /// [Igarashi2010, Sec. 4.2] The way is open where a trial succeeds: a taut cable sweeps over the ground, so a way
+  /// that is open as the cable lies may not stay so.
   void Retract(DriveState& state) {
     if (TakeVisit(visit_.Try(state), state)) return;
     ++outcome_.targets;
@@ -139,6 +139,17 @@ std::size_t DriveResult::RobotContacts() const {
   const auto contacts = end.cable.contacts();
   return static_cast<std::size_t>(std::count_if(
       contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.kind == ContactKind::kRobot; }));
+}
+
+VertexMask ClosedBy(const GridManifold& manifold, const DeadlockAreas& areas) {
+  VertexMask closed(manifold.pages(), 0);
+  for (std::uint32_t page = 0; page < manifold.pages(); ++page) {
+    for (TileMask cells = manifold.vertices(page); cells != 0; cells &= cells - 1) {
+      const int cell = __builtin_ctzll(cells);
+      if (areas.IsClosed({page, cell})) closed[page] |= TileMask{1} << cell;
+    }
+  }
+  return closed;
 }
 
 DriveResult Drive(const GridManifold& manifold, const DriveState& start, std::span<const Point> goals,

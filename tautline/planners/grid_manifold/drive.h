@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tautline/planners/grid_manifold/deadlocks.h"
 #include "tautline/planners/grid_manifold/robot_driver.h"
 #include "tautline/scene/scene.h"
 
@@ -87,6 +88,9 @@ double LengthFromCell(const CellGround& ground, const Tether& tether);
 /// the ground of `space`. Requires a tether without fault. O(cable).
 [[nodiscard]] tl::expected<DriveState, StartRefusal> StartDrive(const GridManifold& manifold, const TautSpace& space,
                                                                 const Tether& tether, const DriveOptions& options);
+
+/// The vertices that deadlocks close, for DriveOptions::deadlocks. O(vertices).
+VertexMask ClosedBy(const GridManifold& manifold, const DeadlockAreas& areas);
 
 /// Visits the goals in order, until one fails. Each motion is tried on a copy of the cable before it is driven, by the
 /// same simulation, so the drive is what was tried. Deterministic. Throws Stopped when the robot's keep_going says no.

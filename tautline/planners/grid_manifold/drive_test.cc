@@ -144,7 +144,8 @@ TEST(TraceDrive, TakesSamplesOfTheSameDrive) {
   const std::vector<DriveFrame> frames = TraceDrive(*hall.manifold, start, result, options.robot, {.sample_s = 0.5});
   EXPECT_EQ(frames.front().t_s, start.cable.time_s());
   EXPECT_EQ(frames.back().t_s, result.end.cable.time_s());
-  EXPECT_NEAR(static_cast<double>(frames.size()), 2 + result.end.cable.time_s() / 0.5, 4 + result.end.cable.time_s() / 10);
+  EXPECT_NEAR(static_cast<double>(frames.size()), 2 + result.end.cable.time_s() / 0.5,
+              4 + result.end.cable.time_s() / 10);
   for (const DriveFrame& frame : frames) EXPECT_EQ(frame.cable.back(), frame.robot);
 }
 
