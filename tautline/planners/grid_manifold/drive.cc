@@ -46,10 +46,14 @@ class GoalDrive {
   /// Where every way without cable leads into a deadlock area, keeping out of them would be to give up the goal.
   void OpenDeadlocksIfNeeded() {
     driver_.Close(options_.deadlocks);
+    outcome_.deadlocks_entered = false;
     if (options_.deadlocks.empty()) return;
     const CableClearance no_cable(driver_.manifold().ground(), 0);
     const OpenGround open(driver_.manifold(), no_cable, options_.deadlocks);
-    if (!FindWay(open, driver_.manifold().base_vertex(), visit_.destination()).empty()) return;
+    if (FindWay(open, driver_.manifold().base_vertex(), visit_.destination()).empty()) OpenDeadlocks();
+  }
+
+  void OpenDeadlocks() {
     driver_.Close({});
     outcome_.deadlocks_entered = true;
   }
@@ -78,25 +82,35 @@ class GoalDrive {
     return visited.has_value();
   }
 
+  /// The heuristic as careful as asked for, then less so, then the search likewise: a goal counts more than what
+  /// prevention and lookahead are for.
   void Extended(DriveState& state) {
-    if (Commit(safe_visit_, state)) return;
-    if (options_.lookahead && Commit(visit_, state)) {
-      outcome_.retreat_kept = false;
-      return;
+    for (const Untangling method : {Untangling::kHeuristic, Untangling::kSearch}) {
+      if (options_.untangle != Untangling::kBoth && options_.untangle != method) continue;
+      if (!options_.deadlocks.empty() && !outcome_.deadlocks_entered) {
+        if (Commit(safe_visit_, method, state)) return;
+        OpenDeadlocks();
+      }
+      if (Commit(safe_visit_, method, state)) return;
+      if (options_.lookahead && Commit(visit_, method, state)) {
+        outcome_.retreat_kept = false;
+        return;
+      }
+      OpenDeadlocksIfNeeded();
     }
-    if (outcome_.failure != DriveFailure::kNone) return;
-    outcome_.failure =
-        state.cable.time_s() >= options_.robot.time_limit_s ? DriveFailure::kTimeUp : DriveFailure::kWayNotFound;
+    if (state.cable.time_s() >= options_.robot.time_limit_s) {
+      outcome_.failure = DriveFailure::kTimeUp;
+    } else if (outcome_.failure == DriveFailure::kNone) {
+      outcome_.failure = DriveFailure::kWayNotFound;
+    }
   }
 
   /// Visits the goal, with untangling if it must.
-  bool Commit(const GoalVisit& visit, DriveState& state) {
+  bool Commit(const GoalVisit& visit, Untangling method, DriveState& state) {
     if (TakeVisit(visit.Try(state), state)) return true;
-    if (options_.untangle != Untangling::kSearch &&
-        Take(Untangle(driver_, visit, state, options_.max_targets), state)) {
-      return true;
+    if (method == Untangling::kHeuristic) {
+      return Take(Untangle(driver_, visit, state, options_.max_targets), state);
     }
-    if (options_.untangle == Untangling::kHeuristic) return false;
     UntangleResult found = SearchUntangling(driver_, visit, state, {.max_trials = options_.search_trials});
     outcome_.failure = found.exhausted ? DriveFailure::kNoWay : DriveFailure::kNone;
     outcome_.searched = found.visited.has_value();

@@ -32,12 +32,12 @@ struct DriveOptions {
   DriveController controller = DriveController::kExtended;  ///< What decides.
   RobotOptions robot;                                       ///< How the robot drives.
   double link_m = 0.05;                                     ///< Between nodes of the cable.
-  VertexMask deadlocks = {};                           ///< Vertices not to be entered, except where a goal needs it.
-  Untangling untangle = Untangling::kBoth;             ///< Of the extended controller.
-  int max_targets = 50;                                ///< Of the heuristic, for a goal.
-  int search_trials = 2000;                            ///< Of the search, for a goal.
-  bool lookahead = false;                              ///< Refuses motions after which there is no way back.
-  std::function<void(std::size_t done)> on_goal = {};  ///< Told after every goal.
+  VertexMask deadlocks = {};                                ///< Vertices not to be entered while there is another way.
+  Untangling untangle = Untangling::kBoth;                  ///< Of the extended controller.
+  int max_targets = 50;                                     ///< Of the heuristic, for a goal.
+  int search_trials = 500;                                  ///< Of the search, for a goal.
+  bool lookahead = false;                                   ///< Refuses motions after which there is no way back.
+  std::function<void(std::size_t done)> on_goal = {};       ///< Told after every goal.
 };
 
 /// Why a goal was not visited.
@@ -60,7 +60,7 @@ struct GoalOutcome {
   int trials = 0;                              ///< Motions that were simulated to find them.
   bool searched = false;                       ///< The search found them.
   bool retreat_kept = true;                    ///< With lookahead: there is a way back afterwards.
-  bool deadlocks_entered = false;              ///< All ways to it lead into deadlock areas, so they were opened.
+  bool deadlocks_entered = false;              ///< No way was found that keeps out of deadlocks.
 };
 
 /// What came of a drive.

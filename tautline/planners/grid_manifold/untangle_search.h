@@ -8,8 +8,8 @@ namespace tautline {
 
 /// How much is searched.
 struct UntangleSearchOptions {
-  int max_trials = 2000;  ///< Motions to simulate at most.
-  int spacing = 8;        ///< Columns and rows between the first samples; halved when no state is left. A power of two.
+  int max_trials = 500;  ///< Motions to simulate at most.
+  int spacing = 8;       ///< Columns and rows between the first samples; halved when no state is left. A power of two.
 };
 
 /// Finds targets after which the goal can be visited, best first: from states whose shortest way to the goal the cable
