@@ -25,6 +25,23 @@ struct Hall {
       scene.world.obstacles.push_back(pillar);
     }
     scene.tether = std::move(tether);
+    Prepare(connectivity);
+  }
+
+  /// The floor of [Igarashi2010, Sec. 5] with round columns, whose cables need untangling.
+  Hall(std::vector<Circle> columns, double length) {
+    scene.world.outline = {{0, 0}, {5, 0}, {5, 3}, {0, 3}};
+    scene.world.clearance = 0.17;
+    for (const Circle& circle : columns) {
+      Obstacle column;
+      column.circle = circle;
+      scene.world.obstacles.push_back(column);
+    }
+    scene.tether = Tether{.base = {0.25, 1.55}, .length = length, .laid = {}};
+    Prepare(Connectivity::kEight);
+  }
+
+  void Prepare(Connectivity connectivity) {
     space = std::make_unique<TautSpace>(BuildFreeSpace(scene.world).value());
     CellGround ground = MakeCellGround(scene.world, {.resolution_m = 0.1}).value();
     const ManifoldOptions options{.base = *ground.CellAt(scene.tether->base),
