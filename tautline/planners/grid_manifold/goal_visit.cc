@@ -45,7 +45,7 @@ int GoalVisit::CountBlockedPlaces(const DriveState& state) const {
   const std::vector<ManifoldVertex> way = field_.WayFrom(state.at);
   int places = 0;
   bool blocked = false;
-  for (std::size_t i = 1; i < way.size(); ++i) {
+  for (std::size_t i = 1; i < way.size() && !destination_.holds(way[i - 1]); ++i) {
     const bool closed = !open.IsOpen(way[i]);
     if (closed && !blocked) ++places;
     blocked = closed;
