@@ -28,8 +28,7 @@ ALGORITHMS = {
     "basic": ["--controller", "basic"],
     "extended": ["--untangle", "heuristic", "--no-deadlock-prevention"],
     "prevention": ["--untangle", "heuristic"],
-    "search": ["--untangle", "both"],
-    "search, lookahead": ["--untangle", "both", "--lookahead", "--search-trials", "200"],
+    "search": ["--untangle", "both", "--search-trials", "60"],
     "retract": ["--controller", "retract"],
 }
 # Table 1: success ratio, average time, average collisions of cable and robot, by layout.

@@ -34,7 +34,7 @@ struct DriveOptions {
   double link_m = 0.05;                                     ///< Between nodes of the cable.
   VertexMask deadlocks = {};                                ///< Vertices not to be entered while there is another way.
   Untangling untangle = Untangling::kBoth;                  ///< Of the extended controller.
-  int max_targets = 50;                                     ///< Of the heuristic, for a goal.
+  int max_targets = 12;                                     ///< Of the heuristic, for a goal.
   int search_trials = 500;                                  ///< Of the search, for a goal.
   bool lookahead = false;                                   ///< Refuses motions after which there is no way back.
   std::function<void(std::size_t done)> on_goal = {};       ///< Told after every goal.
