@@ -27,7 +27,7 @@ struct DriveQuestion {
   Watcher watch;                                   ///< Told what is being done.
 };
 
-struct DriveAnswer {
+struct DriveAnswer {  // NOLINT(bugprone-exception-escape): the JSON library moves its values without noexcept.
   std::vector<GoalOutcome> goals;  ///< In order; empty where the drive cannot begin.
   std::vector<DriveFrame> trace;   ///< Empty where the drive cannot begin.
   std::vector<Contact> contacts;   ///< In the order in which they began.

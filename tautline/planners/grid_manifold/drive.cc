@@ -78,8 +78,9 @@ class GoalDrive {
   }
 
   static bool TakeVisit(std::optional<DriveState> visited, DriveState& state) {
-    if (visited) state = *std::move(visited);
-    return visited.has_value();
+    if (!visited) return false;
+    state = *std::move(visited);
+    return true;
   }
 
   /// The heuristic as careful as asked for, then less so, then the search likewise: a goal counts more than what

@@ -65,7 +65,7 @@ std::optional<DriveState> GoalVisit::Try(const DriveState& state) const {
   const std::vector<LatticeDistance> distances = region.DistancesFrom(0);
   std::vector<std::pair<LatticeDistance, std::size_t>> others;
   for (std::size_t v = 0; v < region.size(); ++v) {
-    if (field_.distance(region.vertices()[v]) == 0) others.push_back({distances[v], v});
+    if (field_.distance(region.vertices()[v]) == 0) others.emplace_back(distances[v], v);
   }
   std::sort(others.begin(), others.end());
   for (std::size_t i = 0; i < std::min(kMostOtherWays, others.size()); ++i) {
