@@ -165,8 +165,9 @@ def heat_map(runs, layout):
 def make_pictures(program, runs):
     for layout in LAYOUTS:
         (HERE / "img" / f"contacts_{layout}.svg").write_text(heat_map(runs, layout))
-    for name, algorithm in (("basic", "basic"), ("prevention", "prevention")):
-        run(program, "layout3", orders()[0], ALGORITHMS[algorithm], ["--svg", HERE / "img" / f"layout3_{name}.svg"])
+    for algorithm in ("basic", "prevention"):
+        run(program, "layout2", orders()[2], ALGORITHMS[algorithm],
+            ["--svg", HERE / "img" / f"layout2_{algorithm}.svg"])
 
 
 def main():

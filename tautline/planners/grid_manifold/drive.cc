@@ -83,27 +83,30 @@ class GoalDrive {
     return true;
   }
 
-  /// The heuristic as careful as asked for, then less so, then the search likewise: a goal counts more than what
-  /// prevention and lookahead are for.
+  /// As careful as asked for, then less so: a goal counts more than what prevention and lookahead are for.
   void Extended(DriveState& state) {
-    for (const Untangling method : {Untangling::kHeuristic, Untangling::kSearch}) {
-      if (options_.untangle != Untangling::kBoth && options_.untangle != method) continue;
-      if (!options_.deadlocks.empty() && !outcome_.deadlocks_entered) {
-        if (Commit(safe_visit_, method, state)) return;
-        OpenDeadlocks();
-      }
-      if (Commit(safe_visit_, method, state)) return;
-      if (options_.lookahead && Commit(visit_, method, state)) {
-        outcome_.retreat_kept = false;
-        return;
-      }
-      OpenDeadlocksIfNeeded();
+    if (!options_.deadlocks.empty() && !outcome_.deadlocks_entered) {
+      if (CommitByAnyMethod(safe_visit_, state)) return;
+      OpenDeadlocks();
+    }
+    if (CommitByAnyMethod(safe_visit_, state)) return;
+    if (options_.lookahead && CommitByAnyMethod(visit_, state)) {
+      outcome_.retreat_kept = false;
+      return;
     }
     if (state.cable.time_s() >= options_.robot.time_limit_s) {
       outcome_.failure = DriveFailure::kTimeUp;
     } else if (outcome_.failure == DriveFailure::kNone) {
       outcome_.failure = DriveFailure::kWayNotFound;
     }
+  }
+
+  bool CommitByAnyMethod(const GoalVisit& visit, DriveState& state) {
+    for (const Untangling method : {Untangling::kHeuristic, Untangling::kSearch}) {
+      if (options_.untangle != Untangling::kBoth && options_.untangle != method) continue;
+      if (Commit(visit, method, state)) return true;
+    }
+    return false;
   }
 
   /// Visits the goal, with untangling if it must.
