@@ -28,7 +28,8 @@ ALGORITHMS = {
     "basic": ["--controller", "basic"],
     "extended": ["--untangle", "heuristic", "--no-deadlock-prevention"],
     "prevention": ["--untangle", "heuristic"],
-    "search": ["--untangle", "both", "--search-trials", "60"],
+    "search": ["--untangle", "both", "--search-trials", "60", "--no-deadlock-prevention"],
+    "lookahead": ["--untangle", "both", "--search-trials", "60", "--no-deadlock-prevention", "--lookahead"],
     "retract": ["--controller", "retract"],
 }
 # Table 1: success ratio, average time, average collisions of cable and robot, by layout.
