@@ -179,7 +179,7 @@ def difference(got, want, tolerance):
         return reach_difference(got, want, tolerance)
     if "classes" in got:
         return class_difference(got["classes"], want, tolerance)
-    for key in ("status", "word", "homology"):
+    for key in ("status", "reason", "word", "homology"):
         if key in want and got.get(key) != want[key]:
             return f"{key} {got.get(key)}, wanted {want[key]}"
     if "length" in want and not close(got["length"], want["length"], tolerance):

@@ -4,11 +4,12 @@
 run_wasm.py PROGRAM MODULE
 
 MODULE is the tautline.js that `make wasm` builds; it runs under node. Questions: every command on every scene of the
-repository, the commands of tests/cases, classes between the goals of cdt2025, and broken scenes. Exit statuses, error
-messages, statuses, words and all other texts must be equal, and numbers equal to 1e-9; of equally long classes, a list
-may be cut at different ones. Prints how many scenes were
-compared, how many could not be since the core cannot read their map, and the size of the module."""
+repository, the commands of tests/cases, classes between the goals of cdt2025, plans for fleets from targets alone, and
+broken scenes. Exit statuses, error messages, statuses, words and all other texts must be equal, and numbers equal to
+1e-9; of equally long classes, a list may be cut at different ones. Prints how many scenes were compared, how many could
+not be since the core cannot read their map, and the size of the module."""
 import base64
+import copy
 import dataclasses
 import gzip
 import json
@@ -34,7 +35,12 @@ COMMANDS = {
     "workspace pose": ["--verify"],
     "workspace move": ["--acceleration", "0.5", "--winch-limit", "0.4", "--dt", "7", "--verify"],
     "workspace tour": ["--round", "--rounds", "20", "--verify"],
+    "fleet check": ["--verify"],
+    "fleet layouts": ["--count", "5", "--budget", "200000", "--verify"],
+    "fleet plan": ["--speeds", "--gap", "0.1"],
+    "fleet simulate": ["--mode", "bent-sequential"],
 }
+TEXTS = ("word", "unknown", "mode")
 
 
 def close(a, b):
@@ -81,8 +87,10 @@ def options_json(arguments):
             options[key] = True
         elif key in ("from", "to", "at"):
             options[key] = [float(part) for part in argument.split(",")]
+        elif key == "order":
+            options[key] = argument.split(",")
         else:
-            options[key] = argument if key in ("word", "unknown") else float(argument)
+            options[key] = argument if key in TEXTS else float(argument)
     return json.dumps(options)
 
 
@@ -159,6 +167,18 @@ def member_questions(folder):
             yield Question(str(name), path, scene, command)
 
 
+def target_questions(folder):
+    """Which layout to make, for every fleet without its cable lines; written to `folder`."""
+    scenes = [(str(path.relative_to(ROOT)), load(path)) for path in scene_files()] + list(scene_members())
+    for i, (name, scene) in enumerate((name, scene) for name, scene in scenes if "fleet" in scene):
+        scene = copy.deepcopy(scene)
+        for robot in scene["fleet"]["robots"]:
+            robot.pop("cable", None)
+        path = pathlib.Path(folder, f"targets{i}.json")
+        path.write_text(json.dumps(scene))
+        yield Question(f"{name} without cable lines", path, scene, ["fleet plan", "--budget", "200"])
+
+
 def broken_questions(folder):
     """Broken scenes, which both must refuse in the same words; written to `folder`."""
     for i, (name, (scene, _)) in enumerate(BROKEN.items()):
@@ -191,7 +211,8 @@ def main():
         sys.exit(__doc__)
     program, module, skipped = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), []
     with tempfile.TemporaryDirectory() as folder:
-        asked = [*file_questions(skipped), *member_questions(folder), *broken_questions(folder)]
+        asked = [*file_questions(skipped), *member_questions(folder), *target_questions(folder),
+                 *broken_questions(folder)]
         native = [question.ask_program(program) for question in asked]
     browser = ask_module(module, asked)
     faults = [f"{question.name}: {why}" for question, a, b in zip(asked, native, browser)

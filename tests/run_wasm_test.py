@@ -57,6 +57,7 @@ class Questions(unittest.TestCase):
         arguments = ["--max-length", "2.5", "--all", "--to", "1,-2", "--word", "1"]
         self.assertEqual(run_wasm.options_json(arguments),
                          '{"max_length": 2.5, "all": true, "to": [1.0, -2.0], "word": "1"}')
+        self.assertEqual(run_wasm.options_json(["--order", "r1,2", "--mode", "1"]), '{"order": ["r1", "2"], "mode": "1"}')
 
     def test_every_scene_is_asked_about(self):
         self.assertGreater(len(run_wasm.scene_files()), 10)

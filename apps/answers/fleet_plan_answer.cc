@@ -222,7 +222,11 @@ bool RefuseLayout(const LayoutFaults& faults, FleetPlanAnswer& answer) {
 
 void RefusePlan(const FleetPlanFault& fault, FleetPlanAnswer& answer) {
   const bool gap = fault.obstruction == FleetPlanObstruction::kGapTooWide;
-  Refuse(gap ? "gap_too_wide" : "assumption_violated", Explain(answer.setup.ground, fault), answer);
+  const bool meet = fault.obstruction == FleetPlanObstruction::kRobotsMeet;
+  Refuse(gap    ? "gap_too_wide"
+         : meet ? "robots_meet"
+                : "assumption_violated",
+         Explain(answer.setup.ground, fault), answer);
   for (const RobotId robot : fault.robots) answer.json["robots"].push_back(answer.setup.name(robot));
   if (gap) {
     answer.json["gap"] = fault.gap;
@@ -273,7 +277,7 @@ void PlayBack(const Scene& scene, const FleetPlanQuestion& question, FleetPlanAn
   if (!played) {
     Contradict(scene, answer,
                "has " + answer.setup.name(played.error().a) + " meet " + answer.setup.name(played.error().b) + " at " +
-                   ToText(played.error().at));
+                   ShortText(played.error().at));
   }
   if (!played->differing.empty()) {
     Contradict(scene, answer, "brings about another cable line of " + answer.setup.name(played->differing.front()));

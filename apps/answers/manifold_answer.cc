@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "apps/answers/deadlock_json.h"
 #include "tautline/planners/grid_manifold/literal_manifold.h"
 #include "tautline/planners/grid_manifold/manifold_file.h"
 #include "tautline/scene/check_tether.h"
@@ -170,7 +171,12 @@ Expected<void> AddManifold(const Scene& scene, const ManifoldQuestion& question,
     }
   }
   if (question.field) AddField(*manifold, *scene.goal, answer.json);
-  answer.manifold = *std::move(manifold);
+  answer.manifold = std::make_unique<const GridManifold>(*std::move(manifold));
+  if (question.deadlocks) {
+    if (question.watch) question.watch("deadlocks", 0);
+    answer.deadlocks.emplace(*answer.manifold);
+    AddDeadlocks(scene.world, *answer.manifold, *answer.deadlocks, answer.json);
+  }
   return {};
 }
 
@@ -198,7 +204,7 @@ Expected<void> CheckQuestion(const Scene& scene, const ManifoldQuestion& questio
   if (question.literal && question.connectivity == 8) {
     return InvalidInput("the printed construction is 4-connected: leave out --connectivity 8", "--literal");
   }
-  if (question.literal && (question.sheets || question.field || question.prepared)) {
+  if (question.literal && (question.sheets || question.field || question.deadlocks || question.prepared)) {
     return InvalidInput("the printed construction has no words, fields or files: leave out the other options",
                         "--literal");
   }

@@ -2,6 +2,7 @@
 #ifndef APPS_ANSWERS_MANIFOLD_ANSWER_H_
 #define APPS_ANSWERS_MANIFOLD_ANSWER_H_
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "apps/answers/exit_status.h"
 #include "apps/answers/json_values.h"
 #include "tautline/base/error.h"
+#include "tautline/planners/grid_manifold/deadlocks.h"
 #include "tautline/planners/grid_manifold/grid_manifold.h"
 #include "tautline/planners/grid_manifold/manifold_goal_field.h"
 #include "tautline/planners/grid_manifold/manifold_sheets.h"
@@ -23,6 +25,7 @@ struct ManifoldQuestion {
   bool literal = false;                            ///< The printed construction instead, 4-connected.
   bool sheets = false;                             ///< Also word by word.
   bool field = false;                              ///< Also the field to the scene's goal.
+  bool deadlocks = false;                          ///< Also where the tether can lock the robot in.
   std::int64_t max_vertices = 200'000'000;         ///< After which to stop.
   std::int64_t max_bytes = std::int64_t{8} << 30;  ///< After which to stop.
   std::optional<std::string> prepared;             ///< The bytes of a manifold that was saved.
@@ -32,12 +35,14 @@ struct ManifoldQuestion {
 };
 
 struct ManifoldAnswer {  // NOLINT(bugprone-exception-escape): the JSON library moves its values without noexcept.
-  std::optional<GridManifold> manifold;  ///< Nothing where the base is blocked, and with `literal`.
-  std::vector<ManifoldSheet> sheets;     ///< With `sheets`.
-  std::string explanation;               ///< Why it is not solved; empty when it is.
-  ManifoldCounts counts;                 ///< Of either construction.
-  Json json;                             ///< The result as docs/manifold.md describes it.
-  ExitStatus status = kExitSolved;       ///< kExitInfeasible where the base is blocked or a budget ran out.
+  /// Nothing where the base is blocked, and with `literal`; at a place that stays, for what refers to it.
+  std::unique_ptr<const GridManifold> manifold;
+  std::optional<DeadlockAreas> deadlocks;  ///< With `deadlocks`.
+  std::vector<ManifoldSheet> sheets;       ///< With `sheets`.
+  std::string explanation;                 ///< Why it is not solved; empty when it is.
+  ManifoldCounts counts;                   ///< Of either construction.
+  Json json;                               ///< The result as docs/manifold.md describes it.
+  ExitStatus status = kExitSolved;         ///< kExitInfeasible where the base is blocked or a budget ran out.
 };
 
 /// Builds the manifold of the scene's tether, or reads it, and answers. Errors: the scene has no tether, or no goal for

@@ -1,6 +1,5 @@
 #include "apps/answers/place_answer.h"
 
-#include <map>
 #include <utility>
 
 #include "apps/answers/verification.h"
@@ -61,25 +60,17 @@ Json ToJson(const PlaceSearch& search, const PlaceResult& result) {
 }  // namespace
 
 Expected<std::vector<PlaceJob>> JoinParts(const PlaceSearch& search, std::vector<NamedPart> parts, bool unfinished) {
-  std::map<std::size_t, std::string> part_of;
+  std::vector<PartNumbers> numbers;
   std::vector<PlaceJob> jobs;
   for (NamedPart& part : parts) {
+    PartNumbers& of_part = numbers.emplace_back(PartNumbers{part.name, {}});
     for (PlaceJob& job : part.jobs) {
-      const auto [known, is_new] = part_of.emplace(job.job, part.name);
-      if (!is_new) {
-        return InvalidInput("holds job " + std::to_string(job.job) + ", which " +
-                                (known->second == part.name ? "it holds twice" : known->second + " holds as well") +
-                                ": name each part once",
-                            part.name);
-      }
+      of_part.jobs.push_back(job.job);
       jobs.push_back(std::move(job));
     }
   }
-  const auto left = JobsLeft(search, {}, jobs);
-  if (left.empty() || unfinished) return jobs;
-  return InvalidInput("of " + std::to_string(search.jobs()) + " jobs " + std::to_string(left.size()) +
-                      " stand in no part, job " + std::to_string(left[0]) +
-                      " first: run their shards too, or join what there is with --unfinished");
+  if (auto checked = CheckParts(search.jobs(), numbers, unfinished); !checked) return tl::unexpected(checked.error());
+  return jobs;
 }
 
 Expected<PlaceAnswer> AnswerPlace(const PlaceSearch& search, std::vector<PlaceJob> jobs, bool verify) {

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
-#include "tautline/scene/number_text.h"
 #include "tautline/scene/world_digest.h"
 
 namespace tautline {
 namespace {
 
-/// Changes with what a part holds, and with the searches that find it.
-constexpr int kPartVersion = 1;
+PartKind KindOfPart() { return {.command = "workspace place", .version = 1, .digest = 0, .search = {}}; }
 
 std::string ToString(PlaceObjective objective) { return objective == PlaceObjective::kCable ? "cable" : "area"; }
 
@@ -65,9 +62,11 @@ PlaceJob JobOf(const Json& json) {
   return job;
 }
 
-tl::unexpected<Error> NoPart(const std::string& name, const std::string& why) {
-  return InvalidInput("is no part of `tautline workspace place` (" + why + "): name a file that --checkpoint wrote",
-                      name);
+PartKind KindOf(const PlaceSearch& search) {
+  PartKind kind = KindOfPart();
+  kind.digest = search.digest;
+  kind.search = ToJson(search.question);
+  return kind;
 }
 
 /// Beyond these, a mistyped number would take all memory rather than be told.
@@ -82,26 +81,6 @@ std::optional<Error> FaultOf(const PlaceQuestion& question) {
   if (question.anchors > kMostAnchors) return beyond("anchors", question.anchors, kMostAnchors);
   if (question.jobs > kMostJobs) return beyond("jobs", question.jobs, kMostJobs);
   return std::nullopt;
-}
-
-/// What an attempt to read a part makes of it.
-template <class Read>
-auto Reading(const std::string& name, const Read& read) -> Expected<decltype(read())> {
-  try {
-    return read();
-  } catch (const Json::exception& fault) {
-    return NoPart(name, fault.what());
-  }
-}
-
-Expected<Json> ParsePart(std::string_view text, const std::string& name) {
-  auto json = Reading(name, [text] { return Json::parse(text); });
-  if (!json) return json;
-  if (!json->is_object() || !json->contains("part")) return NoPart(name, "it has no key `part`");
-  if (json->at("part") != kPartVersion) {
-    return InvalidInput("was written by another version of tautline: run its shard again", name);
-  }
-  return json;
 }
 
 bool Fits(const PlaceSearch& search, const std::vector<double>& positions) {
@@ -122,17 +101,6 @@ bool Fits(const PlaceSearch& search, const PlaceJob& job) {
   }
   return last <= job.evaluations && job.evaluations <= search.question.evaluations && job.incomplete >= 0 &&
          job.incomplete <= job.evaluations;
-}
-
-/// The first thing in which two searches differ: "its seed is 2 instead of 1".
-std::string Difference(const Json& found, const Json& wanted) {
-  for (const auto& [key, value] : wanted.items()) {
-    if (!found.contains(key) || found[key] != value) {
-      return "its " + key + " is " + (found.contains(key) ? found[key].dump() : "unknown") + " instead of " +
-             value.dump();
-    }
-  }
-  return "";
 }
 
 }  // namespace
@@ -157,48 +125,27 @@ Expected<PlaceSearch> PreparePlaceSearch(const Scene& scene, const PlaceQuestion
   return search;
 }
 
-std::vector<std::size_t> JobsLeft(const PlaceSearch& search, const PlaceShard& shard, std::span<const PlaceJob> done) {
-  std::set<std::size_t> numbers;
-  for (const PlaceJob& job : done) numbers.insert(job.job);
-  std::vector<std::size_t> left;
-  for (std::size_t job = shard.index; job < search.jobs(); job += shard.count) {
-    if (numbers.count(job) == 0) left.push_back(job);
-  }
-  return left;
-}
-
 Json PartJson(const PlaceSearch& search, std::vector<PlaceJob> done, bool complete) {
   std::sort(done.begin(), done.end(), [](const PlaceJob& a, const PlaceJob& b) { return a.job < b.job; });
-  Json json = {{"command", "workspace place"},
-               {"status", complete ? "solved" : "budget_exceeded"},
-               {"part", kPartVersion},
-               {"scene", search.digest},
-               {"search", ToJson(search.question)},
-               {"done", Json::array()}};
-  for (const PlaceJob& job : done) json["done"].push_back(ToJson(job));
-  return json;
+  Json jobs = Json::array();
+  for (const PlaceJob& job : done) jobs.push_back(ToJson(job));
+  return PartJson(KindOf(search), std::move(jobs), complete);
 }
 
 Expected<PlaceQuestion> ReadPartQuestion(std::string_view text, const std::string& name) {
-  const auto json = ParsePart(text, name);
+  const PartKind kind = KindOfPart();
+  const auto json = ReadPartSearch(kind, text, name);
   if (!json) return tl::unexpected(json.error());
-  return Reading(name, [&json] { return QuestionOf(json->at("search")); });
+  return ReadingPart(kind, name, [&json] { return QuestionOf(*json); });
 }
 
 Expected<std::vector<PlaceJob>> ReadPart(const PlaceSearch& search, std::string_view text, const std::string& name) {
-  const auto json = ParsePart(text, name);
-  if (!json) return tl::unexpected(json.error());
-  if (const Json wanted = ToJson(search.question); json->value("search", Json()) != wanted) {
-    return InvalidInput("belongs to another search: " + Difference(json->value("search", Json::object()), wanted) +
-                            "; join parts of one search only",
-                        name);
-  }
-  if (json->value("scene", Json()) != search.digest) {
-    return InvalidInput("was made for another scene: world, tasks or futures differ; run its shard again", name);
-  }
-  auto jobs = Reading(name, [&json] {
+  const PartKind kind = KindOf(search);
+  const auto done = ReadPartJobs(kind, text, name);
+  if (!done) return tl::unexpected(done.error());
+  auto jobs = ReadingPart(kind, name, [&done] {
     std::vector<PlaceJob> read;
-    for (const Json& job : json->at("done")) read.push_back(JobOf(job));
+    for (const Json& job : *done) read.push_back(JobOf(job));
     return read;
   });
   if (!jobs) return jobs;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/answers/json_values.h"
+#include "apps/answers/part_file.h"
 #include "tautline/base/error.h"
 #include "tautline/planners/cable_workspace/place_job.h"
 #include "tautline/scene/scene.h"
@@ -42,17 +43,6 @@ struct PlaceSearch {
 /// Errors: as PlacementGround::Prepare, with the file of the scene; more than a thousand anchors or a million jobs.
 [[nodiscard]] Expected<PlaceSearch> PreparePlaceSearch(const Scene& scene, const PlaceQuestion& question,
                                                        const Watcher& watch = {});
-
-/// The share of the jobs that one of several machines does: those whose number is `index` modulo `count`.
-struct PlaceShard {
-  std::size_t index = 0;  ///< From 0 on.
-  std::size_t count = 1;
-
-  bool Has(std::size_t job) const { return job % count == index; }
-};
-
-/// The numbers of a shard's jobs that are not among those done, ascending.
-std::vector<std::size_t> JobsLeft(const PlaceSearch& search, const PlaceShard& shard, std::span<const PlaceJob> done);
 
 /// A part: finished jobs with what they belong to, sorted by job. `complete`: all that were to be done are.
 Json PartJson(const PlaceSearch& search, std::vector<PlaceJob> done, bool complete);

@@ -11,6 +11,12 @@
 namespace tautline {
 namespace {
 
+std::vector<std::size_t> Left(const PlaceSearch& search, const Shard& shard, std::span<const PlaceJob> done) {
+  std::vector<std::size_t> numbers;
+  for (const PlaceJob& job : done) numbers.push_back(job.job);
+  return JobsLeft(search.jobs(), shard, numbers);
+}
+
 using testing::HasSubstr;
 
 Scene Hall() {
@@ -69,7 +75,7 @@ TEST(PlaceSearch, ShardsJoinToTheBytesOfOneRun) {
     for (std::size_t index = count; index-- > 0;) {
       // Each shard as another machine would run it, and through its file.
       const PlaceSearch there = Search();
-      const auto jobs = RunJobs(there, JobsLeft(there, {index, count}, {}));
+      const auto jobs = RunJobs(there, Left(there, {index, count}, {}));
       const std::string text = PartJson(there, jobs, true).dump(1);
       parts.push_back({"part" + std::to_string(index), ReadPart(search, text, "part").value()});
     }
@@ -81,10 +87,10 @@ TEST(PlaceSearch, GoesOnFromWhatIsDone) {
   const PlaceSearch search = Search();
   const std::vector<PlaceJob> all = RunJobs(search, {0, 1, 2, 3, 4, 5, 6});
   const std::vector<PlaceJob> some = {all[5], all[0], all[3]};
-  EXPECT_EQ(JobsLeft(search, {}, some), (std::vector<std::size_t>{1, 2, 4, 6}));
-  EXPECT_EQ(JobsLeft(search, {1, 3}, some), (std::vector<std::size_t>{1, 4}));
+  EXPECT_EQ(Left(search, {}, some), (std::vector<std::size_t>{1, 2, 4, 6}));
+  EXPECT_EQ(Left(search, {1, 3}, some), (std::vector<std::size_t>{1, 4}));
   std::vector<PlaceJob> jobs = some;
-  for (PlaceJob& job : RunJobs(search, JobsLeft(search, {}, some))) jobs.push_back(std::move(job));
+  for (PlaceJob& job : RunJobs(search, Left(search, {}, some))) jobs.push_back(std::move(job));
   EXPECT_EQ(Answer(search, jobs), Answer(search, all));
 }
 
@@ -178,7 +184,7 @@ TEST(PlaceSearch, NeedsNoJobsWhereATaskIsLost) {
   Scene scene = Hall();
   scene.tasks.push_back({5, 5});
   const PlaceSearch search = Search(scene);
-  EXPECT_TRUE(JobsLeft(search, {}, {}).empty());
+  EXPECT_TRUE(Left(search, {}, {}).empty());
   const PlaceAnswer answer = AnswerPlace(search, JoinParts(search, {}, false).value(), false).value();
   EXPECT_EQ(answer.status, kExitInfeasible);
   EXPECT_EQ(answer.json["status"], "infeasible");

@@ -31,6 +31,19 @@ void AddMotion(const JsonValues& values, const Motion& motion, double limit, Jso
   json["tether"]["limit"] = limit;
 }
 
+/// What it took to cross nothing, and the shortest motion where crossings are allowed.
+Json CrossingFreeJson(const JsonValues& values, const PlanResult& result) {
+  const CrossingFree& facts = *result.crossing_free;
+  Json json;
+  json["optimal"] = facts.optimal;
+  json["bound"] = facts.bound;
+  json["classes_examined"] = facts.classes_examined;
+  json["around_base"] = facts.around_base;
+  json["retreat_length"] = facts.retreat_length;
+  if (facts.plain) AddMotion(values, *facts.plain, result.limit, json["plain"]);
+  return json;
+}
+
 }  // namespace
 
 Json PlanJson(const PlanResult& result, bool all, const JsonValues& values) {
@@ -48,6 +61,7 @@ Json PlanJson(const PlanResult& result, bool all, const JsonValues& values) {
     json["shortest_tether_class"] = values.Of(*result.shortest_tether, "taut");
   }
   if (result.rejected) AddMotion(values, *result.rejected, result.limit, json["rejected"]);
+  if (result.crossing_free) json["crossing_free"] = CrossingFreeJson(values, result);
   if (all) {
     json["all"] = Json::array();
     for (const Motion& motion : result.all) AddMotion(values, motion, result.limit, json["all"].emplace_back());

@@ -15,16 +15,6 @@ namespace {
 /// Cables are measured a hair's breadth off crossings; so much longer than the tether is no fault.
 constexpr double kMeasured = 1e-6;
 
-/// The orders between paths as they are driven: between straight ones, those of the pair graph; a detour has its own.
-std::vector<Passing> DrivenPassings(const FleetPlan& plan) {
-  std::vector<Passing> passings = plan.detour_passings;
-  for (const Passing& passing : plan.passings) {
-    const auto is_straight = [&](RobotId robot) { return !plan.schedule[robot.index()].path.is_cable; };
-    if (is_straight(passing.first) && is_straight(passing.second)) passings.push_back(passing);
-  }
-  return passings;
-}
-
 RobotSchedule DriveFrom(double start, const FleetRobot& robot, RobotPath path) {
   RobotSchedule schedule;
   for (std::size_t k = 0; k < path.points.size(); ++k) {
@@ -132,7 +122,7 @@ void Conclude(SimulateAnswer& answer) {
   } else if (!playback.broken.empty()) {
     const BrokenOrder& order = playback.broken.front();
     Refuse("order_broken",
-           setup.name(order.second) + " passes " + ToText(order.at) + " before " + setup.name(order.first) +
+           setup.name(order.second) + " passes " + ShortText(order.at) + " before " + setup.name(order.first) +
                ", which should be first",
            answer);
   } else if (!answer.too_short.empty()) {
@@ -154,8 +144,8 @@ void Perform(const DrivenPlan& driven, const SimulateQuestion& question, Simulat
     const std::string a = answer.setup.name(fault.a), b = answer.setup.name(fault.b);
     answer.json["matches_target"] = false;
     Refuse("robots_meet",
-           (a == b ? a + " meets what its cable cannot pass" : a + " and " + b + " meet") + " at " + ToText(fault.at) +
-               " after " + ShortNumber(fault.t) + " s, and nothing says who goes first",
+           (a == b ? a + " meets what its cable cannot pass" : a + " and " + b + " meet") + " at " +
+               ShortText(fault.at) + " after " + ShortNumber(fault.t) + " s, and nothing says who goes first",
            answer);
     answer.json["robots"] = {a, b};
     answer.json["at"] = PointJson(fault.at);
@@ -196,7 +186,7 @@ Expected<std::optional<DrivenPlan>> PlanOf(const Scene& scene, const SimulateQue
     answer.status = kExitInfeasible;
     return std::optional<DrivenPlan>();
   }
-  return DrivenPlan{planned->plan->schedule, DrivenPassings(*planned->plan)};
+  return DrivenPlan{planned->plan->schedule, PassingsToKeep(*planned->plan)};
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::string Describe(std::span<const Point> points) {
       text += fmt::format(" ... {} more ...", points.size() - kMostPoints);
       i = points.size() - 3;
     }
-    text += fmt::format("{}({}, {})", i == 0 ? "" : " ", ShortNumber(points[i].x), ShortNumber(points[i].y));
+    text += (i == 0 ? "" : " ") + ShortText(points[i]);
   }
   return text;
 }

@@ -32,14 +32,6 @@ struct FleetPlanCommand {
   std::int64_t budget = FleetPlanQuestion().budget;
 };
 
-FleetMode ModeOf(const std::string& name) {
-  for (const FleetMode mode :
-       {FleetMode::kStraightSequential, FleetMode::kBentConcurrent, FleetMode::kBentSequential}) {
-    if (ToString(mode) == name) return mode;
-  }
-  return FleetMode::kStraightConcurrent;
-}
-
 std::string NamesOf(const FleetPlanAnswer& answer, const std::vector<RobotId>& robots) {
   std::string names;
   for (std::size_t i = 0; i < std::min(robots.size(), kMostListed); ++i) {
@@ -55,7 +47,7 @@ std::string DescribeOrders(const FleetPlanAnswer& answer) {
   for (std::size_t i = 0; i < std::min(passings.size(), kMostListed); ++i) {
     const Passing& passing = passings[i];
     text += fmt::format("  {:<3} {} before {}, at {}\n", passing.label, answer.setup.name(passing.first),
-                        answer.setup.name(passing.second), ToText(passing.at));
+                        answer.setup.name(passing.second), ShortText(passing.at));
   }
   if (passings.size() > kMostListed) text += fmt::format("  ... and {} more\n", passings.size() - kMostListed);
   return text;
@@ -68,7 +60,7 @@ std::string DescribeWaits(const FleetPlanAnswer& answer) {
     const RobotSchedule& robot = answer.plan->schedule[i];
     for (const FleetEvent& event : robot.events) {
       if (event.departure <= event.arrival || ++count > kMostListed) continue;
-      text += fmt::format("  {} waits at {} from {} to {} s\n", answer.setup.name(RobotId(i)), ToText(event.at),
+      text += fmt::format("  {} waits at {} from {} to {} s\n", answer.setup.name(RobotId(i)), ShortText(event.at),
                           ShortNumber(event.arrival), ShortNumber(event.departure));
     }
   }
@@ -128,7 +120,7 @@ Expected<int> RunFleetPlan(const FleetPlanCommand& command) {
   if (!scene) return tl::unexpected(scene.error());
   ProgressBar progress(!command.common.quiet);
   FleetPlanQuestion question;
-  question.options.mode = ModeOf(command.mode);
+  question.options.mode = *FleetModeNamed(command.mode);
   question.options.speeds = command.speeds;
   if (command.gap >= 0) question.options.gap = command.gap;
   question.budget = command.budget;
@@ -165,7 +157,7 @@ Run AddFleetPlan(CLI::App& fleet) {
                   "how far apart robots stay at a crossing, metres; without it, the sum of their radii")
       ->check(NonNegative());
   sub->add_option("--budget", command->budget, "without cable lines, orders of passing after which the choice ends")
-      ->check(CLI::PositiveNumber)
+      ->check(AtLeastOne())
       ->capture_default_str();
   sub->add_option("--csv", command->common.csv, "write the events to this file as a table")
       ->type_name("FILE")

@@ -29,14 +29,6 @@ struct SimulateCommand {
   std::string plan;
 };
 
-FleetMode ModeOf(const std::string& name) {
-  for (const FleetMode mode :
-       {FleetMode::kStraightSequential, FleetMode::kBentConcurrent, FleetMode::kBentSequential}) {
-    if (ToString(mode) == name) return mode;
-  }
-  return FleetMode::kStraightConcurrent;
-}
-
 std::string ToText(const SimulateAnswer& answer) {
   if (!answer.playback) return fmt::format("It does not come out: {}.\n", answer.explanation);
   const Playback& playback = *answer.playback;
@@ -54,14 +46,14 @@ std::string ToText(const SimulateAnswer& answer) {
   for (std::size_t k = 0; k < std::min(playback.broken.size(), kMostListed); ++k) {
     const BrokenOrder& order = playback.broken[k];
     text += fmt::format("  {} should pass {} before {} and does not\n", answer.setup.name(order.first),
-                        ToText(order.at), answer.setup.name(order.second));
+                        ShortText(order.at), answer.setup.name(order.second));
   }
   return text;
 }
 
 Expected<SimulateQuestion> QuestionOf(const SimulateCommand& command) {
   SimulateQuestion question{
-      .mode = ModeOf(command.mode), .order = command.order, .plan = {}, .plan_file = command.plan};
+      .mode = *FleetModeNamed(command.mode), .order = command.order, .plan = {}, .plan_file = command.plan};
   if (command.plan.empty()) return question;
   std::ifstream file(command.plan);
   std::ostringstream text;

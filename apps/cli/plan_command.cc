@@ -43,6 +43,22 @@ std::string EnclosedBetween(const PlanResult& result, const std::vector<std::str
   return fmt::format("{}", fmt::join(enclosed, ", "));
 }
 
+/// What it took to cross nothing.
+std::string DescribeCrossingFree(const CrossingFree& facts, const std::vector<std::string>& names) {
+  std::string text;
+  if (facts.plain) {
+    text += fmt::format("  crossing the shortest way, {}, would have the cable cross itself, class {}\n",
+                        Metres(facts.plain->path.length), Describe(facts.plain->tether.word, names));
+  }
+  if (facts.around_base) text += "  around   the base: straight on, the tether would be pulled over it\n";
+  text += fmt::format("  retreat  back along the cable and out again it would be {}\n", Metres(facts.retreat_length));
+  if (!facts.optimal) {
+    text += fmt::format("  bound    the budget ran out: a way without a crossing may be shorter, but not than {}\n",
+                        Metres(facts.bound));
+  }
+  return text;
+}
+
 std::string ToText(const PlanResult& result, const FreeSpace& space) {
   const std::vector<std::string> names = NamesOf(space);
   std::string text;
@@ -75,6 +91,7 @@ std::string ToText(const PlanResult& result, const FreeSpace& space) {
         enclosed.empty() ? " the wrong way" : " the wrong way around " + enclosed,
         Describe(shorter.tether.word, names));
   }
+  if (result.crossing_free) text += DescribeCrossingFree(*result.crossing_free, names);
   DescribeAll(result, names, text);
   return text;
 }
@@ -113,6 +130,8 @@ Run AddPlan(CLI::App& app) {
   sub->add_option("--count", command->options.max_all, "with --all, at most so many, those with the shortest tethers")
       ->check(AtLeastOne())
       ->capture_default_str();
+  CLI::Option* crossing_free = sub->add_flag("--crossing-free", command->options.crossing_free,
+                                             "the taut tether is never to cross itself on the way");
   sub->add_option("--budget", command->options.budget, "search steps after which to stop")
       ->check(AtLeastOne())
       ->capture_default_str();
@@ -121,7 +140,7 @@ Run AddPlan(CLI::App& app) {
                                        "print a line of JSON for each");
   goals->type_name("FILE")->check(InputName());
   CLI::Option* field = sub->add_flag("--field", command->field, "the next heading from every point of a grid");
-  field->excludes(goals)->excludes(all);
+  field->excludes(goals)->excludes(all)->excludes(crossing_free);
   sub->add_option("--resolution", command->resolution,
                   "with --field, between points of the grid; default: a hundredth of the longer side")
       ->type_name("METRES")

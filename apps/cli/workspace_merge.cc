@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/cli/common_options.h"
+#include "apps/cli/kept_jobs.h"
 #include "apps/cli/place_output.h"
 #include "apps/cli/place_run.h"
 #include "apps/cli/progress_bar.h"

@@ -23,15 +23,6 @@ struct PlaceCommand {
   std::string checkpoint;
 };
 
-/// "2/16" is the second of sixteen.
-Expected<PlaceShard> ParseShard(const std::string& text) {
-  unsigned index = 0, count = 0;
-  char rest = 0;
-  const bool is_fraction = std::sscanf(text.c_str(), "%9u/%9u%c", &index, &count, &rest) == 2;
-  if (is_fraction && index >= 1 && index <= count) return PlaceShard{index - 1, count};
-  return InvalidInput("must be I/N with I from 1 to N, such as 2/16, not '" + text + "'", "--shard");
-}
-
 /// What a shard cannot be asked for.
 std::optional<Error> ShardFault(const PlaceCommand& command) {
   const CommonOptions& common = command.common;
@@ -54,7 +45,7 @@ std::string ShardText(const PlaceCommand& command, std::size_t jobs) {
 }
 
 Expected<int> RunPlace(const PlaceCommand& command) {
-  PlaceShard shard;
+  Shard shard;
   if (!command.shard.empty()) {
     const auto parsed = ParseShard(command.shard);
     if (!parsed) return tl::unexpected(parsed.error());

@@ -6,9 +6,11 @@
 
 #include "apps/answers/reach_answer.h"
 #include "apps/answers/show_answer.h"
+#include "apps/pictures/fleet_pictures.h"
 #include "apps/pictures/workspace_pictures.h"
 #include "apps/wasm/ask_options.h"
 #include "tautline/draw/draw_classes.h"
+#include "tautline/draw/draw_fleet.h"
 #include "tautline/draw/draw_plan.h"
 #include "tautline/draw/draw_reach.h"
 #include "tautline/draw/draw_show.h"
@@ -106,7 +108,7 @@ Reply Show(const Scene& scene, const AskOptions& options) {
   return reply;
 }
 
-/// The answer of one of the workspace commands.
+/// The answer of one of the workspace or fleet commands.
 template <class Answer>
 Reply ReplyWith(const Scene& scene, const AskOptions& options, const Expected<Answer>& answer) {
   if (!answer) return Refuse(answer.error());
@@ -135,6 +137,37 @@ Reply TourOver(const Scene& scene, const AskOptions& options) {
   return ReplyWith(scene, options, AnswerTour(scene, options.tour));
 }
 
+Reply Check(const Scene& scene, const AskOptions& options) { return ReplyWith(scene, options, AnswerCheck(scene)); }
+
+Reply Layouts(const Scene& scene, const AskOptions& options) {
+  return ReplyWith(scene, options, AnswerLayouts(scene, options.layouts));
+}
+
+/// How many moments a playback must show for what is asked.
+int FramesFor(const Scene& scene, const AskOptions& options) {
+  return options.animate && scene.fleet ? FilmFrames(scene.fleet->robots.size()) : 0;
+}
+
+/// As ReplyWith, with the film.
+template <class Answer>
+Reply ReplyWithFilm(const Scene& scene, const AskOptions& options, const Expected<Answer>& answer) {
+  Reply reply = ReplyWith(scene, options, answer);
+  if (answer && options.animate) reply.film = AnimateAnswer(scene, *answer);
+  return reply;
+}
+
+Reply PlanFleetMotion(const Scene& scene, const AskOptions& options) {
+  FleetPlanQuestion question = options.fleet_plan;
+  question.playback.frames = FramesFor(scene, options);
+  return ReplyWithFilm(scene, options, AnswerFleetPlan(scene, question));
+}
+
+Reply Simulate(const Scene& scene, const AskOptions& options) {
+  SimulateQuestion question = options.simulate;
+  question.frames = FramesFor(scene, options);
+  return ReplyWithFilm(scene, options, AnswerSimulate(scene, question));
+}
+
 Reply Answer(const Question& question) {
   const auto options = ReadAskOptions(question.command, question.options);
   if (!options) return Refuse(options.error());
@@ -150,7 +183,11 @@ Reply Answer(const Question& question) {
                                                         {"workspace best", Best},
                                                         {"workspace pose", PoseIn},
                                                         {"workspace move", MoveTo},
-                                                        {"workspace tour", TourOver}};
+                                                        {"workspace tour", TourOver},
+                                                        {"fleet check", Check},
+                                                        {"fleet layouts", Layouts},
+                                                        {"fleet plan", PlanFleetMotion},
+                                                        {"fleet simulate", Simulate}};
   for (const auto& [name, answerer] : answerers) {
     if (question.command == name) return answerer(*scene, *options);
   }

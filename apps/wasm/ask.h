@@ -11,7 +11,7 @@ namespace tautline::wasm {
 using Files = std::map<std::string, std::string>;
 
 struct Question {
-  std::string command;  ///< plan, reach, classes, taut or show.
+  std::string command;  ///< As the program has them: `plan`, `workspace best`, `fleet check`; see docs/wasm.md.
   std::string scene;    ///< JSON.
   std::string options;  ///< JSON; see ask_options.h. Empty: none.
   Files files;          ///< The map by its name in the scene; the image of a ROS map beside it.
@@ -22,6 +22,7 @@ struct Reply {
   std::string answer;  ///< What the program prints with --json; empty for statuses 1 and 2.
   std::string error;   ///< For statuses 1 and 2: what is wrong, where, and how to mend it; one line.
   std::string svg;     ///< The picture, where the options ask for one and there is an answer.
+  std::string film;    ///< The motion as an SVG that moves, likewise; of fleet plan and fleet simulate.
 };
 
 /// Answers as the program does. The settings of a ROS map must be JSON, and its image a PGM. Never throws but where

@@ -74,6 +74,31 @@ class OptionsReader {
     to = is_empty ? "" : reader_.ReadText(*value, "word");
   }
 
+  void Mode(FleetMode& to) {
+    const Document* value = options_.Find("mode");
+    if (value == nullptr) return;
+    const std::string text = reader_.ReadText(*value, "mode");
+    const std::optional<FleetMode> mode = FleetModeNamed(text);
+    if (mode) to = *mode;
+    if (!reader_.ok() || mode) return;
+    reader_.Fail(value->position, "mode is " + Quoted(text) +
+                                      ": it must be straight-concurrent, straight-sequential, bent-concurrent or "
+                                      "bent-sequential");
+  }
+
+  /// The names of robots.
+  void Order(std::vector<std::string>& to) {
+    const Document* value = options_.Find("order");
+    if (value == nullptr) return;
+    if (options_.Find("mode") != nullptr) {
+      return reader_.Fail(value->position, "order excludes mode: robots drive one after the other, without a plan");
+    }
+    if (!value->is(Document::Kind::kList) || value->items.empty()) {
+      return reader_.Fail(value->position, "order must be a list of names, not " + Describe(*value));
+    }
+    for (const Document& item : value->items) to.push_back(reader_.ReadText(item, "a name in order"));
+  }
+
   void Unknown(bool& is_free) {
     const Document* value = options_.Find("unknown");
     if (value == nullptr) return;
@@ -94,6 +119,7 @@ class OptionsReader {
 void ReadPlan(OptionsReader& options, PlanQuestion& question) {
   options.Flag("verify", question.verify);
   options.Flag("all", question.options.all);
+  options.Flag("crossing_free", question.options.crossing_free);
   options.AtLeastOne("count", question.options.max_all);
   options.AtLeastOne("budget", question.options.budget);
 }
@@ -146,6 +172,29 @@ void ReadBest(OptionsReader& options, BestQuestion& question) {
   options.AtLeastOne("budget", question.budget);
 }
 
+void ReadLayouts(OptionsReader& options, LayoutsQuestion& question) {
+  options.Flag("verify", question.verify);
+  options.NonNegative("max_length", question.options.max_length);
+  options.NonNegative("max_total", question.options.max_total);
+  options.AtLeastOne("count", question.options.max_count);
+  options.Flag("count_all", question.options.count_all);
+  options.AtLeastOne("budget", question.options.budget);
+}
+
+void ReadFleetPlan(OptionsReader& options, AskOptions& asked) {
+  options.Flag("animate", asked.animate);
+  options.Mode(asked.fleet_plan.options.mode);
+  options.Flag("speeds", asked.fleet_plan.options.speeds);
+  options.NonNegative("gap", asked.fleet_plan.options.gap);
+  options.AtLeastOne("budget", asked.fleet_plan.budget);
+}
+
+void ReadSimulate(OptionsReader& options, AskOptions& asked) {
+  options.Flag("animate", asked.animate);
+  options.Mode(asked.simulate.mode);
+  options.Order(asked.simulate.order);
+}
+
 /// A command with the options that it knows besides those of all, and how they are read.
 struct CommandOptions {
   const char* name;
@@ -155,7 +204,9 @@ struct CommandOptions {
 
 std::vector<CommandOptions> AllCommands() {
   return {
-      {"plan", {"all", "count", "budget"}, [](OptionsReader& o, AskOptions& asked) { ReadPlan(o, asked.plan); }},
+      {"plan",
+       {"all", "crossing_free", "count", "budget"},
+       [](OptionsReader& o, AskOptions& asked) { ReadPlan(o, asked.plan); }},
       {"reach", {"sheets", "at", "budget"}, [](OptionsReader& o, AskOptions& asked) { ReadReach(o, asked.reach); }},
       {"classes",
        {"from", "to", "max_length", "count", "word", "budget"},
@@ -173,6 +224,12 @@ std::vector<CommandOptions> AllCommands() {
       {"workspace tour",
        {"from", "to", "round", "rounds"},
        [](OptionsReader& o, AskOptions& asked) { ReadTour(o, asked.tour); }},
+      {"fleet check", {}, [](OptionsReader&, AskOptions&) {}},
+      {"fleet layouts",
+       {"max_length", "max_total", "count", "count_all", "budget"},
+       [](OptionsReader& o, AskOptions& asked) { ReadLayouts(o, asked.layouts); }},
+      {"fleet plan", {"mode", "speeds", "gap", "budget", "animate"}, ReadFleetPlan},
+      {"fleet simulate", {"mode", "order", "animate"}, ReadSimulate},
   };
 }
 

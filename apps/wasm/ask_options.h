@@ -7,10 +7,13 @@
 #include "apps/answers/best_answer.h"
 #include "apps/answers/boundary_answer.h"
 #include "apps/answers/classes_answer.h"
+#include "apps/answers/fleet_plan_answer.h"
+#include "apps/answers/layouts_answer.h"
 #include "apps/answers/move_answer.h"
 #include "apps/answers/plan_answer.h"
 #include "apps/answers/pose_answer.h"
 #include "apps/answers/reach_answer.h"
+#include "apps/answers/simulate_answer.h"
 #include "apps/answers/taut_answer.h"
 #include "apps/answers/tour_answer.h"
 #include "tautline/base/error.h"
@@ -19,7 +22,8 @@
 namespace tautline::wasm {
 
 struct AskOptions {
-  bool svg = false;  ///< Draw the answer too.
+  bool svg = false;      ///< Draw the answer too.
+  bool animate = false;  ///< Draw the motion as a film too.
   SceneOptions scene;
   PlanQuestion plan;
   ReachQuestion reach;
@@ -30,16 +34,15 @@ struct AskOptions {
   PoseQuestion pose;
   MoveQuestion move;
   TourQuestion tour;
+  LayoutsQuestion layouts;
+  FleetPlanQuestion fleet_plan;
+  SimulateQuestion simulate;
 };
 
 /// Reads a JSON object such as `{"count": 5, "svg": true}`; no text stands for no options. All commands know `svg`,
-/// `verify`, `unknown` and `simplify`; plan knows `all`, `count` and `budget`; reach knows `sheets`, `at`
-/// and `budget`; classes knows `from`, `to`,
-/// `max_length`, `count`, `word` and `budget`; workspace best knows `max_boundary`, `count_longer`, `count` and
-/// `budget`; workspace pose knows `at`; workspace
-/// move knows `from`, `to`, `speed`, `acceleration`, `winch_limit` and `dt`; workspace tour knows `from`, `to`, `round`
-/// and `rounds`. Only the members of the command are filled in. Errors: kInvalidInput for a
-/// command that there is not, and for what is not JSON, unknown or out of range.
+/// `verify`, `unknown` and `simplify`; docs/wasm.md lists those of each command besides. Only the members of the
+/// command are filled in. Errors: kInvalidInput for a command that there is not, and for what is not JSON, unknown or
+/// out of range.
 [[nodiscard]] Expected<AskOptions> ReadAskOptions(const std::string& name, const std::string& text);
 
 }  // namespace tautline::wasm

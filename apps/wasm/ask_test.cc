@@ -10,6 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 /// A block between the robot and its goal; the cable lies above it.
@@ -18,6 +19,11 @@ const char kBlock[] = R"({
             "obstacles": [{"name": "block", "polygon": [[4, 3], [12, 3], [12, 7], [4, 7]]}]},
   "tether": {"base": [2, 5], "length": 12.8, "laid": [[2, 5], [4, 7], [12, 7], [13, 6]]},
   "goal": [13, 4]})";
+
+/// Two robots whose straight paths cross; the cable of r2 bends around the target of r1.
+const char kTwoRobots[] = R"({"fleet": {"speed": 1, "robots": [
+  {"name": "r1", "start": [0, 0], "target": [4, 4], "cable": [[0, 0], [4, 4]]},
+  {"name": "r2", "start": [4, 0], "target": [0, 4], "cable": [[4, 0], [4, 4], [0, 4]]}]}})";
 
 const char kRoomWithMap[] = R"({"world": {"map": "maps/room.yaml"}, "tether": {"base": [0.5, 0.5], "length": 9},
                                 "goal": [2.5, 0.5]})";
@@ -48,6 +54,9 @@ TEST(Ask, DrawsWhereAsked) {
   for (const char* command : {"plan", "reach", "classes", "taut", "show"}) {
     EXPECT_THAT(AskAbout(command, kBlock, R"({"svg": true})").svg, HasSubstr("<svg")) << command;
   }
+  for (const char* command : {"fleet check", "fleet layouts", "fleet plan", "fleet simulate"}) {
+    EXPECT_THAT(AskAbout(command, kTwoRobots, R"({"svg": true})").svg, HasSubstr("<svg")) << command;
+  }
 }
 
 TEST(Ask, OptionsReachTheCommand) {
@@ -57,6 +66,32 @@ TEST(Ask, OptionsReachTheCommand) {
   const Json all = Json::parse(AskAbout("plan", kBlock, R"({"all": true, "verify": true})").answer);
   EXPECT_TRUE(all.contains("all"));
   EXPECT_TRUE(all.contains("verified"));
+  const Json free = Json::parse(AskAbout("plan", kBlock, R"({"crossing_free": true})").answer);
+  EXPECT_TRUE(free["crossing_free"]["optimal"]);
+}
+
+TEST(Ask, OptionsReachTheFleetCommands) {
+  EXPECT_EQ(AskAbout("fleet check", kTwoRobots).status, 0);
+  const Json layouts = Json::parse(AskAbout("fleet layouts", kTwoRobots, R"({"count": 1, "count_all": true})").answer);
+  EXPECT_EQ(layouts["layouts"].size(), 1U);
+  EXPECT_EQ(layouts["all"], 2);
+  const Json bent = Json::parse(AskAbout("fleet plan", kTwoRobots, R"({"mode": "bent-sequential"})").answer);
+  EXPECT_EQ(bent["mode"], "bent-sequential");
+  const Json close = Json::parse(AskAbout("fleet plan", kTwoRobots).answer);
+  const Json wide = Json::parse(AskAbout("fleet plan", kTwoRobots, R"({"gap": 1, "speeds": true})").answer);
+  EXPECT_NEAR(wide["travel_time"].get<double>(), close["travel_time"].get<double>() + 2, 1e-9);
+  EXPECT_EQ(wide["schedule"].dump().find("wait"), std::string::npos);
+  EXPECT_EQ(AskAbout("fleet simulate", kTwoRobots, R"({"order": ["r2", "r1"]})").status, 0);
+  EXPECT_EQ(AskAbout("fleet simulate", kTwoRobots, R"({"order": ["r1", "r2"]})").status, 3);
+}
+
+TEST(Ask, FilmsTheMotionWhereAsked) {
+  for (const char* command : {"fleet plan", "fleet simulate"}) {
+    const Reply reply = AskAbout(command, kTwoRobots, R"({"svg": true, "animate": true})");
+    EXPECT_THAT(reply.svg, Not(HasSubstr("<animate"))) << command;
+    EXPECT_THAT(reply.film, HasSubstr("<animate")) << command;
+    EXPECT_THAT(AskAbout(command, kTwoRobots).film, IsEmpty()) << command;
+  }
 }
 
 TEST(Ask, InfeasibleHasAnAnswerAndStatus3) {
@@ -69,8 +104,7 @@ TEST(Ask, BadInputIsOneLineAndNothingElse) {
   const std::pair<Reply, const char*> faults[] = {
       {AskAbout("paln", kBlock),
        "there is no command 'paln'; there are plan, reach, classes, taut, show, workspace boundary, workspace best, "
-       "workspace pose, "
-       "workspace move and workspace tour"},
+       "workspace pose, workspace move, workspace tour, fleet check, fleet layouts, fleet plan and fleet simulate"},
       {AskAbout("plan", "{"), "scene:1: not valid JSON"},
       {AskAbout("plan", R"({"world": 1})"), "scene:1: world must be a map"},
       {AskAbout("plan", kBlock, "[]"), "options:1: options must be a map"},
@@ -84,6 +118,13 @@ TEST(Ask, BadInputIsOneLineAndNothingElse) {
       {AskAbout("classes", kBlock, R"({"word": "", "count": 1})"), "options:1: word excludes"},
       {AskAbout("classes", kBlock, R"({"word": "wall"})"), "--word: "},
       {AskAbout("classes", kBlock, R"({"from": [1]})"), "options:1: from must be a point"},
+      {AskAbout("fleet plan", kTwoRobots, R"({"mode": "bent"})"), "options:1: mode is 'bent': it must be straight"},
+      {AskAbout("fleet plan", kTwoRobots, R"({"gap": -1})"), "options:1: gap is -1"},
+      {AskAbout("fleet plan", kBlock), "scene: "},
+      {AskAbout("fleet simulate", kTwoRobots, R"({"order": "r1,r2"})"), "options:1: order must be a list of names"},
+      {AskAbout("fleet simulate", kTwoRobots, R"({"order": ["r1", "r2"], "mode": "bent-concurrent"})"),
+       "options:1: order excludes mode"},
+      {AskAbout("fleet simulate", kTwoRobots, R"({"order": ["r1"]})"), "--order: 'r2' is missing"},
   };
   for (const auto& [reply, want] : faults) {
     EXPECT_EQ(reply.status, 2) << want;

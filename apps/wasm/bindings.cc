@@ -33,6 +33,7 @@ EMSCRIPTEN_BINDINGS(tautline) {
       .field("status", &Reply::status)
       .field("answer", &Reply::answer)
       .field("error", &Reply::error)
-      .field("svg", &Reply::svg);
+      .field("svg", &Reply::svg)
+      .field("film", &Reply::film);
   emscripten::function("ask", &tautline::wasm::AskFromJavaScript);
 }

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <vector>
 
+#include "tautline/draw/cell_shapes.h"
 #include "tautline/draw/figure.h"
 #include "tautline/draw/length_text.h"
-#include "tautline/geometry/trace_cells.h"
 
 namespace tautline {
 namespace {
@@ -49,21 +49,9 @@ std::vector<Band> BandsOf(std::uint32_t most) {
 /// The outlines of the cells whose count is in a range, as curves in pixels.
 std::vector<SvgCurve> CellsWith(const GridManifold& manifold, const std::vector<std::uint32_t>& counts,
                                 const Band& band, const View& view) {
-  OccupancyGrid grid = manifold.ground().grid();
-  for (std::size_t i = 0; i < grid.cells.size(); ++i) {
-    grid.cells[i] = counts[i] >= band.from && counts[i] <= band.to ? CellState::kBlocked : CellState::kFree;
-  }
-  std::vector<SvgCurve> curves;
-  const auto add = [&](const Ring& ring) {
-    SvgCurve curve{.start = view.ToPixels(ring[0]), .closed = true};
-    for (std::size_t i = 1; i < ring.size(); ++i) curve.steps.push_back({.to = view.ToPixels(ring[i])});
-    curves.push_back(std::move(curve));
-  };
-  for (const PolygonWithHoles& polygon : TraceBlockedCells(grid)) {
-    add(polygon.outer);
-    for (const Ring& hole : polygon.holes) add(hole);
-  }
-  return curves;
+  std::vector<bool> in(counts.size());
+  for (std::size_t i = 0; i < in.size(); ++i) in[i] = counts[i] >= band.from && counts[i] <= band.to;
+  return CellCurves(manifold.ground().grid(), in, view);
 }
 
 std::vector<LegendEntry> LegendOf(const std::vector<Band>& bands) {

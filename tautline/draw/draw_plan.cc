@@ -21,6 +21,11 @@ struct Case {
   std::string Metres(double length) const { return LengthText(length, decimals); }
 };
 
+/// The shortest motion, on which the cable would cross itself; nullptr where it is the answer.
+const Motion* PlainMotion(const PlanResult& result) {
+  return result.crossing_free && result.crossing_free->plain ? &*result.crossing_free->plain : nullptr;
+}
+
 /// As many decimals as it takes to see which of two compared lengths is the longer one.
 int EnoughDecimals(const FreeSpace& space, const PlanResult& result) {
   int decimals = LengthDecimals(space);
@@ -29,6 +34,7 @@ int EnoughDecimals(const FreeSpace& space, const PlanResult& result) {
   if (result.rejected) compare(result.rejected->tether.length, result.limit);
   if (result.shortest_tether) compare(result.shortest_tether->length, result.limit);
   if (result.motion && result.rejected) compare(result.motion->path.length, result.rejected->path.length);
+  if (PlainMotion(result) != nullptr) compare(result.motion->path.length, PlainMotion(result)->path.length);
   // Lengths that differ by rounding alone would show nothing but digits.
   return std::min(decimals, LengthDecimals(space) + 4);
 }
@@ -56,6 +62,8 @@ std::string Title(const Case& c) {
       if (!result.shortest_tether) return "No plan: the tether is too short";
       return "No plan: the goal needs " + c.Metres(result.shortest_tether->length) + " of tether, the limit is " +
              c.Metres(result.limit);
+    case PlanObstruction::kMustCross:
+      return "No plan without a crossing: pulled tight, the laid cable crosses itself";
     case PlanObstruction::kNone:
       break;
   }
@@ -68,6 +76,14 @@ std::vector<std::string> Notes(const Case& c) {
   if (c.result.motion && c.result.rejected) {
     notes.push_back("The path of " + c.Metres(c.result.rejected->path.length) + " would be shorter, but would need " +
                     c.Metres(c.result.rejected->tether.length) + " of tether.");
+  }
+  if (PlainMotion(c.result) != nullptr) {
+    notes.push_back("On the path of " + c.Metres(PlainMotion(c.result)->path.length) +
+                    ", the shortest, the cable would cross itself.");
+  }
+  if (c.result.crossing_free && !c.result.crossing_free->optimal) {
+    notes.push_back("The budget ran out: a path without a crossing may be shorter, but not than " +
+                    c.Metres(c.result.crossing_free->bound) + ".");
   }
   return notes;
 }
@@ -130,6 +146,11 @@ void AppendMotionEntries(const Case& c, std::vector<LegendEntry>& legend) {
                       {WordText(result.start.word, c.space)}});
   }
   AppendLaidEntry(c.scene, c.decimals, legend);
+  if (const Motion* plain = PlainMotion(result)) {
+    legend.push_back({kCrossingLine,
+                      "shorter path " + c.Metres(plain->path.length) + ", the cable crosses itself",
+                      {WordText(plain->tether.word, c.space)}});
+  }
   if (result.rejected) {
     legend.push_back(
         {kRejectedLine,
@@ -189,6 +210,7 @@ void DrawLines(Figure& figure, const Case& c) {
     figure.Line("tether-start", result.start.points, kStartTetherLine);
   }
   if (result.rejected) figure.Line("rejected", result.rejected->path.points, kRejectedLine);
+  if (PlainMotion(result) != nullptr) figure.Line("crossing", PlainMotion(result)->path.points, kCrossingLine);
   if (result.motion) figure.Line("robot-path", result.motion->path.points, kPathLine);
   DrawLaid(figure, c.scene);
 }

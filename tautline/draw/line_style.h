@@ -30,6 +30,8 @@ inline const LineStyle kPathLine = {.colour = "#0b4a8f", .width = 2.2, .arrows =
 inline const LineStyle kLaidLine = {.colour = "#333333", .width = 1.3, .wavy = true};
 /// The way that the tether forbids.
 inline const LineStyle kRejectedLine = {.colour = "#b8400a", .width = 2, .dashes = "10 4 2 4"};
+/// The way on which the cable would cross itself.
+inline const LineStyle kCrossingLine = {.colour = "#7a2f8f", .width = 2, .dashes = "6 3"};
 /// A tether that is too long.
 inline const LineStyle kForbiddenLine = {.colour = "#b8400a", .width = 4, .dashes = "4 3"};
 /// A taut curve.

@@ -1,5 +1,8 @@
 #include "tautline/draw/marker.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "tautline/draw/line_style.h"
 
 namespace tautline {
@@ -52,6 +55,17 @@ void DrawTask(SvgWriter& svg, Point at) {
                 1);
 }
 
+void DrawStar(SvgWriter& svg, Point at) {
+  constexpr int kPoints = 5;
+  Ring star;
+  for (int i = 0; i < 2 * kPoints; ++i) {
+    const double radius = i % 2 == 0 ? 8.5 : 3.6, angle = std::numbers::pi * (0.5 + static_cast<double>(i) / kPoints);
+    star.push_back(at + radius * Point{std::cos(angle), -std::sin(angle)});
+  }
+  svg.Polygon({&star, 1}, {.fill = "#cc2f5e", .stroke = kHaloColour, .width = 3});
+  svg.Polygon({&star, 1}, {.fill = "#cc2f5e", .stroke = kInkColour, .width = 0.8});
+}
+
 }  // namespace
 
 void DrawMarker(SvgWriter& svg, Marker marker, Point at, const std::string& colour) {
@@ -86,6 +100,8 @@ void DrawMarker(SvgWriter& svg, Marker marker, Point at, const std::string& colo
     case Marker::kRing:
       svg.Circle(at, 12, {.stroke = kHaloColour, .width = 5});
       return svg.Circle(at, 12, {.stroke = kWarningColour, .width = 2.6});
+    case Marker::kStar:
+      return DrawStar(svg, at);
   }
 }
 

@@ -23,6 +23,7 @@ enum class Marker {
   kTarget,     ///< A coloured ring: where a robot of a fleet shall end.
   kCrossing,   ///< A dot: where two lines meet.
   kRing,       ///< A wide ring around something wrong.
+  kStar,       ///< A star: a contact that locks the robot in.
 };
 
 /// Draws a symbol of about 16 pixels at a point. Only kStart and kTarget have the colour; "": that of text.

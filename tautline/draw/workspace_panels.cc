@@ -21,8 +21,19 @@ void DrawMove(SvgWriter& svg, const View& view, const Polyline& move) {
   if (last != before) svg.ArrowHead(last, last - before, 8, {.fill = kWarningColour});
 }
 
+void DrawLayers(SvgWriter& svg, const std::vector<PanelLayer>& layers, const View& view, const Box& frame) {
+  svg.OpenWindow("layers", frame);
+  for (const PanelLayer& layer : layers) {
+    std::vector<Ring> rings;
+    for (const Ring& ring : layer.rings) rings.push_back(view.ToPixels(ring));
+    svg.Polygon(rings, {.fill = layer.colour, .stroke = layer.colour, .width = 1.2, .opacity = 0.18});
+  }
+  svg.CloseWindow();
+}
+
 void DrawMap(SvgWriter& svg, const WorkspacePanel& panel, const View& view, const Box& frame) {
   DrawGround(svg, view, *panel.world, *panel.space, {.frame = frame});
+  if (!panel.layers.empty()) DrawLayers(svg, panel.layers, view, frame);
   svg.OpenWindow("workspace", frame);
   if (!panel.boundary.empty()) {
     const Ring ring = view.ToPixels(panel.boundary);

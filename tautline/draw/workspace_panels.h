@@ -10,17 +10,24 @@
 
 namespace tautline {
 
+/// A translucent layer with an outline.
+struct PanelLayer {
+  std::string colour;       ///< A CSS colour.
+  std::vector<Ring> rings;  ///< Rings inside of rings are holes; metres.
+};
+
 /// One small map.
 struct WorkspacePanel {
-  const World* world;                ///< As it is in this panel; must outlive the drawing.
-  const FreeSpace* space;            ///< Of that world.
-  std::string title;                 ///< In bold above the map.
-  std::vector<std::string> notes;    ///< Lines below the title, cut to the panel's width.
-  std::vector<Point> anchors;        ///< Marked as winches.
-  Ring boundary;                     ///< Of the workspace; empty where there is none.
-  std::vector<TautPath> sides = {};  ///< Without a boundary: its sides as far as they are known.
-  std::vector<Point> tasks = {};     ///< Marked.
-  std::vector<Polyline> moves = {};  ///< Ways that obstacles came, drawn with arrows.
+  const World* world;                   ///< As it is in this panel; must outlive the drawing.
+  const FreeSpace* space;               ///< Of that world.
+  std::string title;                    ///< In bold above the map.
+  std::vector<std::string> notes;       ///< Lines below the title, cut to the panel's width.
+  std::vector<Point> anchors;           ///< Marked as winches.
+  Ring boundary;                        ///< Of the workspace; empty where there is none.
+  std::vector<TautPath> sides = {};     ///< Without a boundary: its sides as far as they are known.
+  std::vector<Point> tasks = {};        ///< Marked.
+  std::vector<Polyline> moves = {};     ///< Ways that obstacles came, drawn with arrows.
+  std::vector<PanelLayer> layers = {};  ///< Under all else but the ground.
 };
 
 /// What stands on the page around the panels.

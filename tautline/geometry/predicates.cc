@@ -211,4 +211,9 @@ bool CrossProperly(Point a, Point b, Point c, Point d) {
   return Orientation(a, b, c) * Orientation(a, b, d) < 0 && Orientation(c, d, a) * Orientation(c, d, b) < 0;
 }
 
+bool WithinTurn(Point apex, Point a, Point b, Point p) {
+  const bool left_of_a = Orientation(apex, a, p) > 0, right_of_b = Orientation(apex, b, p) < 0;
+  return Orientation(apex, a, b) > 0 ? left_of_a && right_of_b : left_of_a || right_of_b;
+}
+
 }  // namespace tautline

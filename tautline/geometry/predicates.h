@@ -44,6 +44,10 @@ bool CrossProperly(Point a, Point b, Point c, Point d);
 /// Exact as Orientation, with |coordinate| between 1e-35 and 1e35, or zero.
 int CompareCrossings(Point a, Point b, Point c, Point d, Point e, Point f);
 
+/// Whether the direction to p lies strictly within the left turn from the direction to a to that to b, all seen from
+/// `apex`, exactly. Requires that a, b and p are not `apex` and that a and b are not in one direction.
+bool WithinTurn(Point apex, Point a, Point b, Point p);
+
 }  // namespace tautline
 
 #endif  // TAUTLINE_GEOMETRY_PREDICATES_H_

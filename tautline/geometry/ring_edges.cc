@@ -8,12 +8,6 @@
 namespace tautline {
 namespace {
 
-/// Whether the direction to p lies strictly within the left turn from a to b, all seen from `apex`.
-bool WithinTurn(Point apex, Point a, Point b, Point p) {
-  const bool left_of_a = Orientation(apex, a, p) > 0, right_of_b = Orientation(apex, b, p) < 0;
-  return Orientation(apex, a, b) > 0 ? left_of_a && right_of_b : left_of_a || right_of_b;
-}
-
 bool Aligned(Point apex, Point a, Point b) { return Orientation(apex, a, b) == 0 && Dot(a - apex, b - apex) > 0; }
 
 enum class Meeting { kTouch, kCross, kRunAlong };

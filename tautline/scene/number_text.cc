@@ -128,4 +128,6 @@ std::string Metres(double value) { return ShortNumber(value) + " m"; }
 
 std::string ToText(Point point) { return "(" + FormatNumber(point.x) + ", " + FormatNumber(point.y) + ")"; }
 
+std::string ShortText(Point point) { return "(" + ShortNumber(point.x) + ", " + ShortNumber(point.y) + ")"; }
+
 }  // namespace tautline

@@ -25,8 +25,11 @@ std::string ShortNumber(double value);
 /// "12.34 m", by ShortNumber.
 std::string Metres(double value);
 
-/// "(1.5, -2)".
+/// "(1.5, -2)", exactly.
 std::string ToText(Point point);
+
+/// "(1.3333, -2)", by ShortNumber.
+std::string ShortText(Point point);
 
 }  // namespace tautline
 

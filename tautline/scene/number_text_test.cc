@@ -73,6 +73,7 @@ TEST(ShortNumber, HasFourDecimals) {
   EXPECT_EQ(ShortNumber(1e12), "1e+12");
   EXPECT_EQ(ShortNumber(-6.1e-17), "0");
   EXPECT_EQ(Metres(18), "18 m");
+  EXPECT_EQ(ShortText({4.0 / 3, -2}), "(1.3333, -2)");
 }
 
 }  // namespace

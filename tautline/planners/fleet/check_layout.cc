@@ -117,8 +117,6 @@ class PairCheck {
   std::optional<BoxIndex> index_;
 };
 
-std::string ShortText(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
-
 std::string BothCables(const FleetGround& ground, const LayoutCrossing& fault) {
   return "the cable lines of " + ground.robot(fault.a).name + " and " + ground.robot(fault.b).name;
 }

@@ -33,11 +33,11 @@ Expected<FleetGround> FleetGround::Prepare(const Scene& scene, const Watcher& wa
   std::vector<BoxIndex::Segment> segments;
   for (const Point p : ground.points_) segments.emplace_back(p, p);
   ground.index_ = std::make_unique<const BoxIndex>(segments);
-  for (std::size_t k = 2 * ground.size(); k < ground.node_count(); ++k) {
-    const FleetNodeId node = *ground.NodeAt(ground.points_[k]);
-    if (ground.kind(node) == FleetNodeKind::kCorner) continue;
-    return InvalidInput(NameOf(ground, node) + " is on the corner of an obstacle, at " + ToText(ground.points_[k]) +
-                            ": move it off, since a cable must be able to pass either",
+  for (std::size_t k = 0; k < 2 * ground.size(); ++k) {
+    const auto corner = ground.CornerNear(ground.points_[k]);
+    if (!corner) continue;
+    return InvalidInput(NameOf(ground, FleetNodeId(k)) + " is on the corner of an obstacle, at " +
+                            ToText(ground.point(*corner)) + ": move it off, since a cable must be able to pass either",
                         scene.path);
   }
   return ground;
@@ -69,6 +69,16 @@ std::optional<FleetNodeId> FleetGround::NodeAt(Point at) const {
     least = distance;
   });
   return nearest;
+}
+
+std::optional<FleetNodeId> FleetGround::CornerNear(Point at) const {
+  const Point reach{tolerance_, tolerance_};
+  std::optional<FleetNodeId> corner;
+  index_->ForEachNear({at - reach, at + reach}, [&](std::size_t k) {
+    const FleetNodeId node(k);
+    if (kind(node) == FleetNodeKind::kCorner && Distance(points_[k], at) <= tolerance_) corner = node;
+  });
+  return corner;
 }
 
 std::vector<FleetNodeId> FleetGround::NodesBetween(Point a, Point b) const {

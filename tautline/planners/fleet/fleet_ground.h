@@ -31,8 +31,8 @@ enum class FleetNodeKind {
 /// A fleet and its world, prepared. Immutable; queries may run in several threads.
 class FleetGround {
  public:
-  /// Errors: those of RequireFleet and, where there is a world, of BuildFreeSpace; a start or target is at a corner of
-  /// the free space; kStopped when `watch` said stop.
+  /// Errors: those of RequireFleet and, where there is a world, of BuildFreeSpace; a start or target is, up
+  /// to rounding, at a corner of the free space; kStopped when `watch` said stop.
   /// Cost: as TautSpace; without a world O(n log n) for n robots.
   [[nodiscard]] static Expected<FleetGround> Prepare(const Scene& scene, const Watcher& watch = {});
 
@@ -78,6 +78,9 @@ class FleetGround {
 
  private:
   FleetGround() = default;
+
+  /// A corner that is one place with the point, up to rounding.
+  std::optional<FleetNodeId> CornerNear(Point at) const;
 
   std::vector<FleetRobot> robots_;
   std::unique_ptr<const TautSpace> space_;

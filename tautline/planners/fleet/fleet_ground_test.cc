@@ -36,6 +36,11 @@ TEST(FleetGround, RefusesAnEndAtACorner) {
   ASSERT_FALSE(ground);
   EXPECT_NE(ground.error().message.find("the target of r2 is on the corner of an obstacle, at (14, 14)"),
             std::string::npos);
+  // Nor may it be so near that the rounding of the free space decides.
+  scene.fleet->robots[1].target = {14 + 1e-9, 14 - 1e-9};
+  EXPECT_FALSE(FleetGround::Prepare(scene));
+  scene.fleet->robots[1].target = {14.01, 14};
+  EXPECT_TRUE(FleetGround::Prepare(scene));
 }
 
 TEST(NodesBetween, AreThoseOnTheSegmentInOrder) {

@@ -18,6 +18,14 @@ std::string ToString(FleetMode mode) {
   return "";
 }
 
+std::optional<FleetMode> FleetModeNamed(std::string_view name) {
+  for (const FleetMode mode : {FleetMode::kStraightConcurrent, FleetMode::kStraightSequential,
+                               FleetMode::kBentConcurrent, FleetMode::kBentSequential}) {
+    if (ToString(mode) == name) return mode;
+  }
+  return std::nullopt;
+}
+
 std::vector<Passing> PassingsToKeep(const FleetPlan& plan) {
   const auto is_straight = [&](RobotId robot) { return !plan.schedule[robot.index()].path.is_cable; };
   std::vector<Passing> passings;

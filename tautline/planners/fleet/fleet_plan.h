@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,9 @@ enum class FleetMode { kStraightConcurrent, kStraightSequential, kBentConcurrent
 
 /// "straight-concurrent" and so on.
 std::string ToString(FleetMode mode);
+
+/// The mode of that name; nothing where there is none.
+std::optional<FleetMode> FleetModeNamed(std::string_view name);
 
 /// The way that a robot drives.
 struct RobotPath {

@@ -34,6 +34,11 @@ Passing PassingOf(const OrderedContact& order, std::size_t position) {
   return passing;
 }
 
+/// Thrown where a motion that keeps all orders has robots meet, and caught where planning began.
+struct RobotsMet {
+  PlaybackCollision of;
+};
+
 /// Plans in the order of the stages of [Zhang2019, Fig. 8].
 class Planner {
  public:
@@ -159,7 +164,7 @@ class Planner {
     std::vector<Passing> passings;
     for (std::size_t k = 0; k < drive.orders.size(); ++k) passings.push_back(PassingOf(drive.orders[k], k));
     const auto played = Play(ground_, layout_, *schedule, passings, {.words_up_to = 0, .measured = 0});
-    TAUTLINE_CHECK(played.has_value());
+    if (!played) throw RobotsMet{played.error()};
     return played->differing.empty();
   }
 
@@ -376,7 +381,10 @@ class Planner {
       const EventGraph graph = MakeEventGraph(drive.paths, drive.orders, {[width](RobotId, RobotId) { return width; }});
       return !TopologicalOrder(graph.Flat()).has_value();
     };
-    double low = 0, high = fault.gap;
+    // From the length of a path on, it is all in the gap.
+    double low = 0, high = 0;
+    for (const RobotPath& path : drive.paths) high = std::max(high, path.length());
+    high = std::min(high, fault.gap);
     constexpr int kHalvings = 50;
     for (int i = 0; i < kHalvings && low < high; ++i) {
       const double middle = low + 0.5 * (high - low);
@@ -384,7 +392,8 @@ class Planner {
     }
     fault.largest_gap = low;
     const OrderGraph flat = GraphOf(drive, gap).Flat();
-    for (const std::uint32_t v : CyclicParts(flat).front()) fault.robots.push_back(flat.robot_of[v]);
+    const auto parts = CyclicParts(flat);
+    for (const std::uint32_t v : parts.front()) fault.robots.push_back(flat.robot_of[v]);
     std::sort(fault.robots.begin(), fault.robots.end());
     fault.robots.erase(std::unique(fault.robots.begin(), fault.robots.end()), fault.robots.end());
     return fault;
@@ -419,11 +428,15 @@ std::string Explain(const FleetGround& ground, const FleetPlanFault& fault) {
            "): they can stay up to " + ShortNumber(fault.largest_gap) + " m apart, or drive in another mode";
   }
   const std::string a = ground.robot(fault.robots[0]).name, b = ground.robot(fault.robots[1]).name;
+  if (fault.obstruction == FleetPlanObstruction::kRobotsMeet) {
+    return a + " and " + b + " would meet at " + ToText(fault.at) +
+           ": something is all but on the path or cable line of another there; move it clear, or exactly onto it";
+  }
   if (fault.start_inside) {
     return "the start of " + b + " at " + ToText(fault.at) + " is on the path of " + a +
            " or between that path and its cable line: lead that cable line past the other side of it";
   }
-  return "the paths of " + a + " and " + b + " cross at " + ToText(fault.at) +
+  return "the paths of " + a + " and " + b + " cross at " + ShortText(fault.at) +
          ", and not exactly one of their targets is between the path and the cable line of the other"
          ": lead one of the cable lines around the target of the other";
 }
@@ -434,6 +447,9 @@ tl::expected<FleetPlan, FleetPlanFault> PlanFleet(const FleetGround& ground, con
     return Planner(ground, layout, options).Plan();
   } catch (const Stopped&) {
     return tl::unexpected(FleetPlanFault{.obstruction = FleetPlanObstruction::kStopped});
+  } catch (const RobotsMet& met) {
+    return tl::unexpected(FleetPlanFault{
+        .obstruction = FleetPlanObstruction::kRobotsMeet, .robots = {met.of.a, met.of.b}, .at = met.of.at});
   }
 }
 

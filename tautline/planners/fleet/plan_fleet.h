@@ -29,6 +29,7 @@ struct FleetPlanOptions {
 enum class FleetPlanObstruction {
   kAssumptionViolated,  ///< The pair rule does not hold: a start in a cable polygon, or both or neither targets inside.
   kGapTooWide,          ///< Points could keep the orders, robots that far apart would wait for each other in a circle.
+  kRobotsMeet,          ///< Two would meet where nothing tells who goes first: places that are all but one.
   kStopped,             ///< The watcher said stop.
 };
 
@@ -36,7 +37,7 @@ enum class FleetPlanObstruction {
 struct FleetPlanFault {
   FleetPlanObstruction obstruction = FleetPlanObstruction::kAssumptionViolated;  ///< What is in the way.
   std::vector<RobotId> robots;  ///< Those concerned; for an assumption, first the one whose polygon or path it is.
-  Point at;                     ///< The start or the crossing, metres, for an assumption.
+  Point at;                     ///< The start, the crossing or the meeting, metres.
   bool start_inside = false;    ///< For an assumption: whether a start is inside.
   double gap = 0;               ///< The widest gap that was asked for, metres, where it is too wide.
   double largest_gap = 0;       ///< The largest one for all pairs that would do, metres, where it is too wide.

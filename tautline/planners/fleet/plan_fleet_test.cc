@@ -112,6 +112,20 @@ TEST(PlanFleet, RobotsKeepTheGapThatIsAskedForAtCrossings) {
   }
 }
 
+TEST(PlanFleet, SaysWhoCannotStayThatFarApart) {
+  // Each passes before the next one, all around.
+  const Scene scene = FleetOf({{{1.2, 4.1}, {4.4, 1.0}, {14.1, 5.4}},
+                               {{13.1, 1.0}, {14.1, 5.4}, {5.5, 11.6}},
+                               {{9.8, 12.9}, {5.5, 11.6}, {4.4, 1.0}}});
+  for (const double gap : {20.0, 1e6, 1e300}) {
+    const auto plan = PlanOf(scene, {.gap = gap});
+    ASSERT_FALSE(plan);
+    EXPECT_EQ(plan.error().obstruction, FleetPlanObstruction::kGapTooWide);
+    EXPECT_EQ(plan.error().robots, (std::vector{RobotId(0), RobotId(1), RobotId(2)}));
+    EXPECT_NEAR(plan.error().largest_gap, 1.827, 1e-3);
+  }
+}
+
 TEST(PlanFleet, RadiiAddUpToTheGap) {
   Scene scene = FleetOf({{{0, 0}, {5.5, 5}, {10, 1}}, {{5, -5}, {5.5, 5}}});
   for (FleetRobot& robot : scene.fleet->robots) robot.radius = 0.25;

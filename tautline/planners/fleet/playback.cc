@@ -27,7 +27,7 @@ constexpr double kOffCrossing = 1e-7;
 /// Share of the travel time by which moments are one.
 constexpr double kSameMoment = 1e-9;
 /// The second witness: a robot on its base stands this far beside it, and loops keep that far off their line.
-constexpr double kBesideBase = 1e-12, kLoopGap = 1e-11;
+constexpr double kBesideBase = 1e-12, kLoopGap = 1e-11, kLeastLoopGap = 4e-14;
 /// A robot whose target is a corner stops at this share of its last stretch before it.
 constexpr double kBeforeCorner = 1e-7;
 /// The watcher is asked once in so many steps.
@@ -91,7 +91,7 @@ struct FleetPins {
 /// The second witness: the words of loops around the cables, carried by the motion.
 class Witness {
  public:
-  Witness(const FleetPins& pins, double size) : pins_(pins), gap_(kLoopGap * size) {
+  Witness(const FleetPins& pins, double size) : pins_(pins), size_(size) {
     std::vector<Point> punctures = pins.points;
     // The direction is one that nothing else has.
     const Point beside = kBesideBase * size * Point{0.797, 0.604};
@@ -127,15 +127,27 @@ class Witness {
       }
       const auto carried = moving_->Carry(words_[i], 0, 0);
       if (!carried) return std::nullopt;
-      const Word meant = rays.WordOf(LoopAround(lines[i], std::vector<Side>(lines[i].size()), gap_));
+      const auto gap = GapAround(ground, route, lines[i]);
+      if (!gap) return std::nullopt;
+      const Word meant = rays.WordOf(LoopAround(lines[i], std::vector<Side>(lines[i].size()), *gap));
       agree = agree && RingWord(meant) == RingWord(*carried);
     }
     return agree;
   }
 
  private:
+  /// How far a loop keeps off a line that passes its nodes at a distance: not as far as to hold them; nothing where
+  /// rounding would decide.
+  std::optional<double> GapAround(const FleetGround& ground, const Route& route, const Polyline& line) const {
+    double gap = kLoopGap * size_;
+    for (std::size_t k = 1; k + 1 < route.size(); ++k) {
+      gap = std::min(gap, 0.25 * Distance(line[k], ground.point(route[k].node)));
+    }
+    return gap >= kLeastLoopGap * size_ ? std::optional(gap) : std::nullopt;
+  }
+
   const FleetPins& pins_;
-  double gap_;
+  double size_;
   std::vector<std::string> names_;
   std::vector<Word> words_;
   std::optional<MovingPunctures> moving_;

@@ -266,14 +266,17 @@ class Weaver {
     const double room = 4 * most_;
     double spacing = kTinySpacing * Norm(box.size());
     const BoxIndex index(nodes);
-    for (const Route& route : routes_) {
-      if (route.size() < 3) continue;
+    for (std::size_t r = 0; r < routes_.size(); ++r) {
+      const Route& route = routes_[r];
       for (std::size_t i = 1; i < route.size(); ++i) {
         const Point a = At(route[i - 1]), b = At(route[i]);
-        spacing = std::min(spacing, Distance(a, b) / room);
+        const bool is_moved = reaches_[r][i - 1] > 0 || reaches_[r][i] > 0;
+        if (is_moved) spacing = std::min(spacing, Distance(a, b) / room);
         index.ForEachAlong(a, b, room * spacing, [&](std::size_t k) {
           const Point p = nodes[k].first;
-          if (!OnSegment(a, b, p)) spacing = std::min(spacing, DistanceToSegment(p, a, b) / room);
+          // Where nothing is moved, the node and the segment keep their sides however near they are.
+          if (OnSegment(a, b, p) || !(is_moved || passages_.count(FleetNodeId(k)) > 0)) return;
+          spacing = std::min(spacing, DistanceToSegment(p, a, b) / room);
         });
       }
     }

@@ -9,8 +9,8 @@
 
 namespace tautline {
 
-/// The same routes with a side for every node that they pass straight: that from which they cross neither the route that
-/// ends there nor those that bend around it, as far as one side suits all. O(n log n + shared parts) for n steps,
+/// The same routes with a side for every node that they pass straight: that from which they cross neither the route
+/// that ends there nor those that bend around it, as far as one side suits all. O(n log n + shared parts) for n steps,
 /// expected.
 std::vector<Route> WithSides(const FleetGround& ground, const std::vector<Route>& routes);
 

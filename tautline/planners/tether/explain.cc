@@ -25,6 +25,8 @@ std::string ToString(PlanObstruction obstruction) {
       return "laid_cable_too_long";
     case PlanObstruction::kTetherTooShort:
       return "tether_too_short";
+    case PlanObstruction::kMustCross:
+      return "must_cross";
   }
   return "";
 }
@@ -51,6 +53,11 @@ std::string ExplainTooShort(const TautSpace& space, const TautPath& shortest, do
   return "the tether of " + Metres(limit) + " is " + Metres(shortest.length - limit) +
          " too short: the goal needs at least " + Metres(shortest.length) + ", in the class '" +
          ToString(shortest.word, space.rays().names()) + "'";
+}
+
+std::string ExplainMustCross(Point at) {
+  return "the cable as laid, pulled taut, already crosses itself at " + At(at) +
+         ", and no motion starts there without a crossing";
 }
 
 std::string ExplainBudget(std::int64_t budget) {

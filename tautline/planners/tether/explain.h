@@ -21,6 +21,8 @@ std::string ExplainApart(const std::string& what, Point at, const std::string& o
 std::string ExplainLaidTooLong(double taut_length, double limit);
 /// By how much the tether of length `limit`, metres, falls short of `shortest`, the class that needs the least.
 std::string ExplainTooShort(const TautSpace& space, const TautPath& shortest, double limit);
+/// That the laid cable, pulled taut, crosses itself at a place, and why that does not go away.
+std::string ExplainMustCross(Point at);
 /// That the search stopped after its budget of so many steps.
 std::string ExplainBudget(std::int64_t budget);
 /// That the caller of a search stopped it.

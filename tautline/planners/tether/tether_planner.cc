@@ -8,6 +8,7 @@
 #include "tautline/base/check.h"
 #include "tautline/homotopy/goal_field.h"
 #include "tautline/planners/tether/class_choice.h"
+#include "tautline/planners/tether/crossing_free.h"
 #include "tautline/planners/tether/explain.h"
 #include "tautline/scene/check_tether.h"
 
@@ -260,6 +261,7 @@ void TetherPlanner::Decide(const PreparedStart& start, const PreparedGoal& goal,
   const std::optional<Polyline> direct = laid.at_root() ? nearest : shortest.FromRobot();
   TAUTLINE_CHECK(direct);
   Choose(laid, *direct, field, options, result);
+  if (options.crossing_free) CrossingFreeSearch(*this, laid, *goal.place_, options, result).Run(*nearest);
   if (options.all) ListAll(laid, *goal.place_, options, result);
 }
 

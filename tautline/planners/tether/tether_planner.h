@@ -132,6 +132,7 @@ class TetherPlanner {
 
  private:
   friend class PreparedFile;
+  friend class CrossingFreeSearch;
 
   explicit TetherPlanner(TautGround ground) : ground_(std::move(ground)) {}
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tautline/geometry/curve_crossing.h"
 #include "tautline/geometry/polygon.h"
 #include "tautline/homotopy/curve_faults.h"
 #include "tautline/homotopy/ring_ground.h"
@@ -92,6 +93,9 @@ class Verifier {
       case PlanObstruction::kTetherTooShort:
         if (!result_.shortest_tether) Fault("the tether that the goal needs is missing");
         return;
+      case PlanObstruction::kMustCross:
+        if (!FindCurveCrossing(result_.start.points)) Fault("the laid cable crosses itself nowhere");
+        return;
     }
   }
 
@@ -107,8 +111,21 @@ class Verifier {
     return !common.empty();
   }
 
+  /// The path of the answer: shortest in its class, or, around the base, its two parts.
+  void CheckPath(const Motion& motion, const std::string& name) {
+    const auto base = std::find(motion.path.points.begin(), motion.path.points.end(), tether_.base);
+    const bool is_answer = result_.motion && &motion == &*result_.motion;
+    if (!is_answer || !result_.crossing_free || !result_.crossing_free->around_base) {
+      return CheckCurve(motion.path, name, in_socket_);
+    }
+    if (base == motion.path.points.end()) return Fault(name + " does not come to the base");
+    const TautSpace& space = planner_.space();
+    CheckCurve(space.MakePath(Polyline(motion.path.points.begin(), base + 1)), name + " to the base", false);
+    CheckCurve(space.MakePath(Polyline(base, motion.path.points.end())), name + " from the base", false);
+  }
+
   void CheckMotion(const Motion& motion, const std::string& name, bool must_fit) {
-    CheckCurve(motion.path, name + "'s path", in_socket_);
+    CheckPath(motion, name + "'s path");
     CheckCurve(motion.tether, name + "'s tether", stub_);
     const Polyline& path = motion.path.points;
     if (path.empty() || motion.tether.points.empty()) return;
@@ -161,6 +178,22 @@ class Verifier {
       Fault("the tether on the way is not in the class of the path so far");
     }
     if (tether.length > result_.limit * (1 + kLengthTolerance)) Fault("the tether is too long on the way");
+    if (result_.crossing_free && !TouchesItself(tether.points) && FindCurveCrossing(tether.points)) {
+      Fault("the tether crosses itself on the way");
+    }
+  }
+
+  /// Whether the free end touches an earlier part of the cable, with the robot, or over the base: then rounding alone
+  /// tells on which side of it.
+  bool TouchesItself(const Polyline& tether) const {
+    const std::size_t n = tether.size();
+    if (n < 3) return false;
+    const double tolerance = planner_.space().tolerance();
+    if (DistanceToSegment(tether[0], tether[n - 2], tether[n - 1]) <= tolerance) return true;
+    for (std::size_t i = 0; i + 2 < n; ++i) {
+      if (DistanceToSegment(tether.back(), tether[i], tether[i + 1]) <= tolerance) return true;
+    }
+    return false;
   }
 
   void CheckShortestTether(bool has_stub) {
