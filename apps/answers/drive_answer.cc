@@ -10,6 +10,8 @@ namespace {
 
 /// Cells of a world that has none.
 constexpr double kUsualCell = 0.1;
+/// As many as a cable may have.
+constexpr double kMostLinks = 1e6;
 
 std::string TextOf(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
 
@@ -178,6 +180,10 @@ class Driving {
 
 Expected<std::vector<Point>> CheckedGoals(const Scene& scene, const DriveQuestion& question) {
   if (auto tether = RequireTether(scene); !tether) return tl::unexpected(tether.error());
+  if (scene.tether->length > kMostLinks * question.options.link_m) {
+    return InvalidInput("links of " + Metres(question.options.link_m) + " are too short: a tether of " +
+                        Metres(scene.tether->length) + " has more than 1000000 of them; give a longer --link");
+  }
   std::vector<Point> goals = GoalsOf(scene, question);
   if (goals.empty()) {
     return InvalidInput("the scene has no goal; add `goal: [x, y]` or `tasks: [[x, y], ...]`, or give --goals",

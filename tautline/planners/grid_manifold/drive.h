@@ -76,7 +76,7 @@ struct DriveResult {
 
 /// Why a drive cannot begin.
 struct StartRefusal {
-  std::string reason;       ///< "start_blocked", "laid_cable_blocked" or "laid_cable_too_long".
+  std::string reason;       ///< "start_blocked", "tether_too_short", "laid_cable_blocked" or "laid_cable_too_long".
   std::string explanation;  ///< With the numbers, for a person.
 };
 

@@ -51,6 +51,7 @@ TEST(StartDrive, RefusesWhatCannotLie) {
             "laid_cable_blocked");
   EXPECT_EQ(reason({.base = {0.25, 1.45}, .length = 2, .laid = Polyline{{0.25, 1.45}, {2, 2.4}, {3.5, 1.5}}}),
             "laid_cable_too_long");
+  EXPECT_EQ(reason({.base = {0.25, 1.45}, .length = 0}), "tether_too_short");
 }
 
 TEST(Drive, GoesStraightWhereNothingIsInTheWay) {
@@ -86,7 +87,9 @@ TEST(Drive, SearchesWhereTheHeuristicFails) {
   EXPECT_THAT(FailuresOf(heuristic),
               testing::ElementsAre(DriveFailure::kNone, DriveFailure::kNone, DriveFailure::kWayNotFound));
   EXPECT_EQ(heuristic.end.cable.time_s(), heuristic.goals[1].time_s) << "what does not lead there is not driven";
-  const DriveResult both = hall.Run(goals, With(DriveController::kExtended));
+  DriveOptions with_search = With(DriveController::kExtended);
+  with_search.search_trials = 200;
+  const DriveResult both = hall.Run(goals, with_search);
   EXPECT_TRUE(both.Succeeded());
   EXPECT_TRUE(both.goals[2].searched);
   EXPECT_GT(both.goals[2].targets, 1);

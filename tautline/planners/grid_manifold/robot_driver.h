@@ -2,6 +2,7 @@
 #ifndef TAUTLINE_PLANNERS_GRID_MANIFOLD_ROBOT_DRIVER_H_
 #define TAUTLINE_PLANNERS_GRID_MANIFOLD_ROBOT_DRIVER_H_
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -54,6 +55,9 @@ class RobotDriver {
 
   /// How often trials look whether the way is open: each time that the robot has driven as far as it is wide, seconds.
   double LookAfter() const { return 2 * options_.radius_m / options_.speed_mps; }
+
+  /// The side of the squares by which states are told apart (StateKey): the robot's width, but no less than a cell's.
+  double coarse_m() const { return std::max(2 * options_.radius_m, manifold_.ground().cell_m()); }
 
   /// Other vertices not to be entered.
   void Close(VertexMask closed);

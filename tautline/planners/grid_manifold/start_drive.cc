@@ -65,6 +65,12 @@ double LengthFromCell(const CellGround& ground, const Tether& tether) {
 tl::expected<DriveState, StartRefusal> StartDrive(const GridManifold& manifold, const TautSpace& space,
                                                   const Tether& tether, const DriveOptions& options) {
   const CellGround& ground = manifold.ground();
+  if (const auto base = ground.CellAt(tether.base);
+      base && tether.length <= (tether.laid ? 0 : Distance(tether.base, ground.CentreOf(*base)))) {
+    return Refuse("tether_too_short", "the tether of " + Metres(tether.length) +
+                                          " does not let the robot out of its base at " + TextOf(tether.base) +
+                                          " to the middle of the cell there");
+  }
   auto cable = LayCable(space, tether,
                         {.length_m = tether.length,
                          .link_length_m = options.link_m,

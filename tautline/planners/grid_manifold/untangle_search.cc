@@ -50,7 +50,7 @@ class UntangleTree {
   void Open(std::size_t node) { open_.insert({nodes_[node].blocked_places, nodes_[node].state.cable.time_s(), node}); }
 
   void Add(const DriveState& state, int targets) {
-    if (!keys_.insert(StateKey(state, 2 * driver_.options().radius_m)).second) return;
+    if (!keys_.insert(StateKey(state, driver_.coarse_m())).second) return;
     nodes_.push_back({.state = state, .targets = targets, .blocked_places = visit_.CountBlockedPlaces(state)});
     Open(nodes_.size() - 1);
   }

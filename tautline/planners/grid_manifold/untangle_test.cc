@@ -64,7 +64,7 @@ TEST(SearchUntangling, NeverDoesWorseWithMoreTrials) {
   EXPECT_GE(visit.CountBlockedPlaces(c.state), 1);
   double least = std::numeric_limits<double>::infinity();
   bool found = false;
-  for (const int trials : {5, 50, 300}) {
+  for (const int trials : {5, 50, 200}) {
     const UntangleResult result = SearchUntangling(c.driver, visit, c.state, {.max_trials = trials});
     EXPECT_LE(result.trials, trials);
     if (!result.visited) {

@@ -19,13 +19,12 @@ struct Choice {
 /// Tries the candidates of a state one by one.
 Choice Choose(RobotDriver& driver, const GoalVisit& visit, const DriveState& state,
               const std::set<std::uint64_t>& before, int& trials) {
-  const double coarse_m = 2 * driver.options().radius_m;
   Choice best;
   for (const IntermediateTarget& target : FindIntermediateTargets(AccessibleRegion(driver.Look(state), state.at))) {
     ++trials;
     TargetTrial trial = TryTarget(driver, visit, state, target.vertex);
     if (trial.visited) return {std::move(trial), 0};
-    if (before.count(StateKey(trial.after, coarse_m)) > 0 || !visit.KeepsRetreat(trial.after)) continue;
+    if (before.count(StateKey(trial.after, driver.coarse_m())) > 0 || !visit.KeepsRetreat(trial.after)) continue;
     const std::size_t region = AccessibleRegion(driver.Look(trial.after), trial.after.at).size();
     if (region > best.region) best = {std::move(trial), region};
   }
@@ -56,7 +55,7 @@ UntangleResult Untangle(RobotDriver& driver, const GoalVisit& visit, const Drive
   DriveState state = start;
   std::set<std::uint64_t> before;
   while (result.targets < max_targets) {
-    before.insert(StateKey(state, 2 * driver.options().radius_m));
+    before.insert(StateKey(state, driver.coarse_m()));
     Choice choice = Choose(driver, visit, state, before, result.trials);
     if (!choice.trial) return result;
     ++result.targets;
