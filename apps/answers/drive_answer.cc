@@ -79,6 +79,7 @@ Json ToJson(const JsonValues& values, const GoalOutcome& goal) {
   json["untanglings"] = goal.targets;
   json["trials"] = goal.trials;
   if (goal.searched) json["searched"] = true;
+  if (goal.thought_again) json["thought_again"] = true;
   if (!goal.retreat_kept) json["retreat_kept"] = false;
   if (goal.deadlocks_entered) json["deadlocks_entered"] = true;
   return json;

@@ -28,6 +28,7 @@ struct DriveCommand {
   std::string goals;
   std::string controller = "extended";
   std::string untangle = "both";
+  std::string prevention = "both";
   bool no_prevention = false;
 };
 
@@ -72,7 +73,9 @@ Expected<DriveQuestion> QuestionOf(const DriveCommand& command) {
   question.options.untangle = command.untangle == "heuristic" ? Untangling::kHeuristic
                               : command.untangle == "search"  ? Untangling::kSearch
                                                               : Untangling::kBoth;
-  question.prevent_deadlocks = !command.no_prevention;
+  const std::string prevention = command.no_prevention ? "none" : command.prevention;
+  question.prevent_deadlocks = prevention == "areas" || prevention == "both";
+  question.options.lookahead = prevention == "lookahead" || prevention == "both";
   if (command.goals.empty()) return question;
   auto goals = ReadGoals(command.goals);
   if (!goals) return tl::unexpected(goals.error());
@@ -135,8 +138,21 @@ void AddWayOptions(CLI::App& sub, DriveCommand& command) {
   sub.add_option("--search-trials", options.search_trials, "motions that the search simulates for a goal at most")
       ->check(AtLeastOne())
       ->capture_default_str();
-  sub.add_flag("--no-deadlock-prevention", command.no_prevention, "also into places that the robot may not get out of");
-  sub.add_flag("--lookahead", options.lookahead, "refuses motions after which the robot could not drive back");
+  CLI::Option* prevention =
+      sub.add_option(
+             "--deadlock-prevention", command.prevention,
+             "areas: keeps out of places that a tether may lock; lookahead: visits goals so that later ones have "
+             "a way; both")
+          ->check(CLI::IsMember({"none", "areas", "lookahead", "both"}))
+          ->capture_default_str();
+  sub.add_flag("--no-deadlock-prevention", command.no_prevention, "as --deadlock-prevention none")
+      ->excludes(prevention);
+  sub.add_option("--lookahead-trials", options.lookahead_trials,
+                 "motions that lookahead simulates at most for a goal that has no way")
+      ->check(AtLeastOne())
+      ->capture_default_str();
+  sub.add_flag("--keep-retreat", options.keep_retreat,
+               "refuses motions after which the robot could not drive back to its base");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #ifndef TAUTLINE_PLANNERS_GRID_MANIFOLD_CABLE_CLEARANCE_H_
 #define TAUTLINE_PLANNERS_GRID_MANIFOLD_CABLE_CLEARANCE_H_
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -24,9 +25,9 @@ class CableClearance {
   /// Below this, distances are known, metres.
   double radius_m() const { return radius_m_; }
   /// The distance of a cell's middle from the cable, metres; infinite where it is not below the radius.
-  double at(GridCell cell) const { return distance_[IndexOf(cell)]; }
+  double at(GridCell cell) const { return std::sqrt(square_[IndexOf(cell)]); }
   /// Whether it is not below the radius.
-  bool IsClear(GridCell cell) const { return at(cell) >= radius_m_; }
+  bool IsClear(GridCell cell) const { return square_[IndexOf(cell)] == kFar; }
 
  private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -39,7 +40,7 @@ class CableClearance {
 
   const CellGround* ground_;
   double radius_m_;
-  std::vector<double> distance_;      ///< By cell.
+  std::vector<double> square_;        ///< Of the distance, by cell, square metres.
   std::vector<std::size_t> touched_;  ///< Cells that are not kFar.
 };
 

@@ -36,7 +36,9 @@ struct DriveOptions {
   Untangling untangle = Untangling::kBoth;                  ///< Of the extended controller.
   int max_targets = 12;                                     ///< Of the heuristic, for a goal.
   int search_trials = 500;                                  ///< Of the search, for a goal.
-  bool lookahead = false;                                   ///< Refuses motions after which there is no way back.
+  bool keep_retreat = false;                                ///< Refuses motions after which there is no way back.
+  bool lookahead = true;                                    ///< Refuses visits after which later goals have no way.
+  int lookahead_trials = 1000;                              ///< Motions to simulate for that, for a goal.
   std::function<void(std::size_t done)> on_goal = {};       ///< Told after every goal.
 };
 
@@ -59,8 +61,9 @@ struct GoalOutcome {
   int targets = 0;                             ///< Intermediate targets on the way to it; for kRetract: drives back.
   int trials = 0;                              ///< Motions that were simulated to find them.
   bool searched = false;                       ///< The search found them.
-  bool retreat_kept = true;                    ///< With lookahead: there is a way back afterwards.
-  bool deadlocks_entered = false;              ///< No way was found that keeps out of deadlocks.
+  bool retreat_kept = true;                    ///< With keep_retreat: there is a way back afterwards.
+  bool thought_again = false;      ///< Lookahead chose this visit because of a later goal, or so was it visited.
+  bool deadlocks_entered = false;  ///< No way was found that keeps out of deadlocks.
 };
 
 /// What came of a drive.

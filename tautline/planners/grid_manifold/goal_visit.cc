@@ -8,7 +8,7 @@
 namespace tautline {
 namespace {
 
-/// Other vertices of the goal that are tried where the retreat from the nearest is lost: each is a simulated drive.
+/// Other vertices of the goal that are tried where the nearest is against the rules: each is a simulated drive.
 constexpr std::size_t kMostOtherWays = 6;
 
 /// The way that is left until as near as `near`; kUnreached stays.
@@ -22,8 +22,9 @@ LatticeDistance RobotWidth(const RobotDriver& driver) {
 
 }  // namespace
 
-GoalVisit::GoalVisit(RobotDriver& driver, Point goal, const ManifoldGoalField& field, bool keep_retreat)
-    : driver_(driver), field_(field), keep_retreat_(keep_retreat) {
+GoalVisit::GoalVisit(RobotDriver& driver, Point goal, const ManifoldGoalField& field, TrialBudget& budget,
+                     VisitRules rules)
+    : driver_(driver), field_(field), budget_(budget), rules_(std::move(rules)) {
   const LatticeDistance near = RobotWidth(driver);
   const double width_m = 2 * driver.options().radius_m;
   const GridManifold& manifold = driver.manifold();
@@ -56,11 +57,12 @@ int GoalVisit::CountBlockedPlaces(const DriveState& state) const {
 std::optional<DriveState> GoalVisit::TryTo(const Destination& destination, const DriveState& state) const {
   DriveState after = state;
   if (driver_.Drive(destination, after) != LegEnd::kThere || !KeepsRetreat(after)) return std::nullopt;
+  if (rules_.accepts && !rules_.accepts(after)) return std::nullopt;
   return after;
 }
 
 std::optional<DriveState> GoalVisit::Try(const DriveState& state) const {
-  if (auto after = TryTo(destination_, state); after || !keep_retreat_) return after;
+  if (auto after = TryTo(destination_, state); after || (!rules_.keep_retreat && AcceptsAll())) return after;
   const AccessibleRegion region(driver_.Look(state), state.at);
   const std::vector<LatticeDistance> distances = region.DistancesFrom(0);
   std::vector<std::pair<LatticeDistance, std::size_t>> others;
@@ -75,7 +77,7 @@ std::optional<DriveState> GoalVisit::Try(const DriveState& state) const {
 }
 
 bool GoalVisit::KeepsRetreat(const DriveState& state) const {
-  if (!keep_retreat_) return true;
+  if (!rules_.keep_retreat) return true;
   const GridManifold& manifold = driver_.manifold();
   const LatticeDistance near = RobotWidth(driver_);
   DriveState back = state;

@@ -35,6 +35,12 @@ void RobotDriver::Close(VertexMask closed) {
   for (std::size_t page = 0; page < held_.size(); ++page) closed_[page] |= held_[page];
 }
 
+bool RobotDriver::IsTimeUp(const DriveState& state) {
+  if (state.cable.time_s() < options_.time_limit_s) return false;
+  ++time_ups_;
+  return true;
+}
+
 OpenGround RobotDriver::Look(const DriveState& state) {
   clearance_.Measure(state.cable);
   return {manifold_, clearance_, closed_};

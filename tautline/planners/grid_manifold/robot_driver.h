@@ -3,6 +3,7 @@
 #define TAUTLINE_PLANNERS_GRID_MANIFOLD_ROBOT_DRIVER_H_
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -59,6 +60,9 @@ class RobotDriver {
   /// The side of the squares by which states are told apart (StateKey): the robot's width, but no less than a cell's.
   double coarse_m() const { return std::max(2 * options_.radius_m, manifold_.ground().cell_m()); }
 
+  /// How many legs ended at the time limit.
+  std::int64_t time_ups() const { return time_ups_; }
+
   /// Other vertices not to be entered.
   void Close(VertexMask closed);
 
@@ -81,7 +85,7 @@ class RobotDriver {
   LegEnd DriveBack(DriveState& state, const ArrivalCheck& check);
 
  private:
-  bool IsTimeUp(const DriveState& state) const { return state.cable.time_s() >= options_.time_limit_s; }
+  bool IsTimeUp(const DriveState& state);
   bool Advance(Point to, Cable& cable, const OnTick& on_tick) const;
 
   const GridManifold& manifold_;
@@ -90,6 +94,7 @@ class RobotDriver {
   VertexMask held_;    ///< Those alone.
   CableClearance clearance_;
   StopCheck stop_;
+  std::int64_t time_ups_ = 0;
 };
 
 }  // namespace tautline

@@ -78,7 +78,7 @@ class UntangleTree {
     const DriveState state = nodes_[number].state;
     const int targets = nodes_[number].targets + 1;
     for (const ManifoldVertex target : TargetsOf(nodes_[number], spacing)) {
-      if (result_.trials == budget_) return false;
+      if (result_.trials == budget_ || !visit_.MayTry()) return false;
       ++result_.trials;
       TargetTrial trial = TryTarget(driver_, visit_, state, target);
       if (trial.visited) {
@@ -91,7 +91,7 @@ class UntangleTree {
   }
 
   void Keep(DriveState visited, int targets) {
-    if (!result_.visited) budget_ = std::min(budget_, 2 * result_.trials);
+    if (!result_.visited) budget_ = visit_.AcceptsAll() ? std::min(budget_, 2 * result_.trials) : result_.trials;
     if (result_.visited && visited.cable.time_s() >= result_.visited->cable.time_s()) return;
     result_.visited = std::move(visited);
     result_.targets = targets;

@@ -16,8 +16,8 @@ struct UntangleSearchOptions {
 /// blocks in the fewest places, then from those that took the least time. From each, the heuristic's candidates and a
 /// sampling of the accessible region are tried; states that look the same (StateKey) count once. When no state is left,
 /// the sampling is refined, up to every vertex: then `exhausted`. After the first way it goes on for as many trials
-/// again, and answers with the quickest: with more trials the answer is never worse. What [Igarashi2010, Sec. 4.3]
-/// leaves as an alternative to its heuristic. Memory: a cable for each state.
+/// again, unless the visit has rules of acceptance, and answers with the quickest: with more trials it is never worse.
+/// What [Igarashi2010, Sec. 4.3] leaves as an alternative to its heuristic. Memory: a cable for each state.
 UntangleResult SearchUntangling(RobotDriver& driver, const GoalVisit& visit, const DriveState& start,
                                 const UntangleSearchOptions& options);
 

@@ -30,7 +30,8 @@ TEST(TryTarget, LeavesTheStateAsItWas) {
   Case c = Crossed();
   const Point goal{4.45, 0.45};
   const ManifoldGoalField field = c.FieldTo(goal);
-  const GoalVisit visit(c.driver, goal, field, false);
+  TrialBudget budget;
+  const GoalVisit visit(c.driver, goal, field, budget);
   const std::uint64_t before = StateKey(c.state, 1e-6);
   const ManifoldVertex target = *c.hall.manifold->Step(c.state.at, 4);
   TryTarget(c.driver, visit, c.state, target);
@@ -40,7 +41,8 @@ TEST(TryTarget, LeavesTheStateAsItWas) {
 TEST(GoalVisit, AnOpenWayIsNotBlockedAnywhere) {
   Case c = Crossed();
   const ManifoldGoalField back = c.FieldTo({2.65, 2.35});
-  const GoalVisit visit(c.driver, {2.65, 2.35}, back, false);
+  TrialBudget budget;
+  const GoalVisit visit(c.driver, {2.65, 2.35}, back, budget);
   EXPECT_TRUE(visit.IsWayOpen(c.state));
   EXPECT_EQ(visit.CountBlockedPlaces(c.state), 0) << "it is there";
   EXPECT_TRUE(visit.Try(c.state));
@@ -59,7 +61,8 @@ TEST(SearchUntangling, NeverDoesWorseWithMoreTrials) {
   Case c = Crossed();
   const Point goal{4.45, 0.45};
   const ManifoldGoalField field = c.FieldTo(goal);
-  const GoalVisit visit(c.driver, goal, field, false);
+  TrialBudget budget;
+  const GoalVisit visit(c.driver, goal, field, budget);
   EXPECT_FALSE(visit.IsWayOpen(c.state));
   EXPECT_GE(visit.CountBlockedPlaces(c.state), 1);
   double least = std::numeric_limits<double>::infinity();
@@ -86,7 +89,8 @@ TEST(SearchUntangling, SaysThatThereIsNoWay) {
   Case c(std::move(hall), {{2.25, 0.15}});
   const Point goal{0.75, 0.15};
   const ManifoldGoalField field = c.FieldTo(goal);
-  const GoalVisit visit(c.driver, goal, field, false);
+  TrialBudget budget;
+  const GoalVisit visit(c.driver, goal, field, budget);
   EXPECT_FALSE(visit.IsWayOpen(c.state));
   const UntangleResult result = SearchUntangling(c.driver, visit, c.state, {.max_trials = 1000});
   EXPECT_FALSE(result.visited);
@@ -100,7 +104,8 @@ TEST(GoalVisit, SeesThatTheRetreatIsLost) {
   RobotDriver driver(*hall.manifold, {}, {});
   const Point goal{2.25, 0.15};
   const ManifoldGoalField field(*hall.manifold, *hall.ground().CellAt(goal));
-  const GoalVisit careless(driver, goal, field, false), careful(driver, goal, field, true);
+  TrialBudget budget;
+  const GoalVisit careless(driver, goal, field, budget), careful(driver, goal, field, budget, {.keep_retreat = true});
   const DriveState start = hall.Start();
   EXPECT_TRUE(careful.KeepsRetreat(start));
   const auto visited = careless.Try(start);
@@ -109,10 +114,10 @@ TEST(GoalVisit, SeesThatTheRetreatIsLost) {
   EXPECT_FALSE(careful.Try(start));
 }
 
-TEST(Drive, LookaheadSaysWhereThereIsNoWayBack) {
+TEST(Drive, SaysWhereThereIsNoWayBack) {
   const Hall hall({2.4, 0.3}, {}, {.base = {0.15, 0.15}, .length = 3});
   DriveOptions options;
-  options.lookahead = true;
+  options.keep_retreat = true;
   options.search_trials = 50;
   const DriveResult result = hall.Run({{2.25, 0.15}}, options);
   ASSERT_TRUE(result.Succeeded());

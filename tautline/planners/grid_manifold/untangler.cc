@@ -21,6 +21,7 @@ Choice Choose(RobotDriver& driver, const GoalVisit& visit, const DriveState& sta
               const std::set<std::uint64_t>& before, int& trials) {
   Choice best;
   for (const IntermediateTarget& target : FindIntermediateTargets(AccessibleRegion(driver.Look(state), state.at))) {
+    if (!visit.MayTry()) return {};
     ++trials;
     TargetTrial trial = TryTarget(driver, visit, state, target.vertex);
     if (trial.visited) return {std::move(trial), 0};
