@@ -33,7 +33,7 @@ AccessibleRegion::AccessibleRegion(const OpenGround& open, ManifoldVertex start)
   }
 }
 
-std::vector<LatticeDistance> AccessibleRegion::DistancesFrom(std::size_t vertex) const {
+std::vector<LatticeDistance> AccessibleRegion::DistancesFrom(std::size_t vertex, LatticeDistance limit) const {
   std::vector<LatticeDistance> distances(size(), kUnreached);
   using Entry = std::pair<LatticeDistance, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -45,9 +45,10 @@ std::vector<LatticeDistance> AccessibleRegion::DistancesFrom(std::size_t vertex)
     if (distance > distances[v]) continue;
     for (int d = 0; d < kDirections; ++d) {
       const std::int32_t to = next(v, d);
-      if (to < 0 || distance + StepLength(d) >= distances[static_cast<std::size_t>(to)]) continue;
-      distances[static_cast<std::size_t>(to)] = distance + StepLength(d);
-      queue.push({distance + StepLength(d), static_cast<std::size_t>(to)});
+      const LatticeDistance there = distance + StepLength(d);
+      if (to < 0 || there > limit || there >= distances[static_cast<std::size_t>(to)]) continue;
+      distances[static_cast<std::size_t>(to)] = there;
+      queue.push({there, static_cast<std::size_t>(to)});
     }
   }
   return distances;

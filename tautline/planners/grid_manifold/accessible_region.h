@@ -25,8 +25,9 @@ class AccessibleRegion {
   std::int32_t next(std::size_t vertex, int direction) const {
     return next_[vertex][static_cast<std::size_t>(direction)];
   }
-  /// The length of the shortest way within the region from one of them to each. O(n log n).
-  std::vector<LatticeDistance> DistancesFrom(std::size_t vertex) const;
+  /// The length of the shortest way within the region from one of them to each that is no longer than `limit`, else
+  /// kUnreached. O(n + m log m) for m of them.
+  std::vector<LatticeDistance> DistancesFrom(std::size_t vertex, LatticeDistance limit = kUnreached) const;
   /// The one whose farthest vertex is nearest, the graph's centre; of several the first. Bounds on eccentricities from
   /// a few searches leave most vertices out [Takes2011]; O(n) searches at worst.
   std::size_t Centre() const;

@@ -159,7 +159,7 @@ TEST(FindIntermediateTargets, AreTheCornersOfAnEmptyHall) {
   const AccessibleRegion region(driver.Look(state), state.at);
   EXPECT_EQ(region.size(), 21U * 11U);
   EXPECT_EQ(region.Centre(), 0U) << "the robot stands in the middle";
-  const auto targets = FindIntermediateTargets(region);
+  const auto targets = FindIntermediateTargets(region, driver.coarse());
   std::vector<std::pair<int, int>> cells;
   for (const IntermediateTarget& target : targets) {
     const GridCell cell = hall.manifold->CellOf(target.vertex);

@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t kMostChanged = 8;
 /// Trials of the search for one visit while visits change: what is easy with another visit before is found sooner.
 constexpr int kTrialsWhileChanging = 40;
+/// One in so many trials may be used up for keeping out of deadlock areas: they close much that is none.
+constexpr int kKeepOutShare = 4;
 /// Trials of the first round, and of these and those of later rounds the least that a choice may use up.
 constexpr std::int64_t kFirstRound = 250, kLeastShare = 30;
 /// One in so many of what is left may be used up by one choice.
@@ -85,7 +87,11 @@ DriveOptions GoalSequence::Of(Stage stage, int search_trials) const {
   DriveOptions options = options_;
   options.untangle = stage.untangle;
   options.search_trials = std::min(options.search_trials, search_trials);
-  if (!stage.keeps_out) options.deadlocks.clear();
+  if (stage.keeps_out) {
+    options.lookahead_trials /= kKeepOutShare;
+  } else {
+    options.deadlocks.clear();
+  }
   return options;
 }
 

@@ -55,6 +55,8 @@ int GoalVisit::CountBlockedPlaces(const DriveState& state) const {
 }
 
 std::optional<DriveState> GoalVisit::TryTo(const Destination& destination, const DriveState& state) const {
+  // Each is a trial of its own where there may be many: acceptance is asked again and again.
+  if (!AcceptsAll() && !MayTry()) return std::nullopt;
   DriveState after = state;
   if (driver_.Drive(destination, after) != LegEnd::kThere || !KeepsRetreat(after)) return std::nullopt;
   if (rules_.accepts && !rules_.accepts(after)) return std::nullopt;
@@ -81,14 +83,9 @@ bool GoalVisit::KeepsRetreat(const DriveState& state) const {
   const GridManifold& manifold = driver_.manifold();
   const LatticeDistance near = RobotWidth(driver_);
   DriveState back = state;
-  const std::size_t contacts = back.cable.contacts().size();
-  const LegEnd end =
-      driver_.Drive({.remaining = [&manifold, near](ManifoldVertex v) { return Less(manifold.distance(v), near); },
-                     .holds = [&manifold, near](ManifoldVertex v) { return manifold.distance(v) <= near; }},
-                    back);
-  if (end != LegEnd::kThere) return false;
-  const auto began = back.cable.contacts().subspan(contacts);
-  return std::none_of(began.begin(), began.end(), [](const Contact& c) { return c.kind == ContactKind::kRobot; });
+  return driver_.Drive({.remaining = [&manifold, near](ManifoldVertex v) { return Less(manifold.distance(v), near); },
+                        .holds = [&manifold, near](ManifoldVertex v) { return manifold.distance(v) <= near; }},
+                       back) == LegEnd::kThere;
 }
 
 }  // namespace tautline

@@ -18,16 +18,25 @@ bool IsLocalMaximum(const AccessibleRegion& region, const std::vector<LatticeDis
 
 }  // namespace
 
-std::vector<IntermediateTarget> FindIntermediateTargets(const AccessibleRegion& region) {
+std::vector<IntermediateTarget> FindIntermediateTargets(const AccessibleRegion& region, LatticeDistance apart) {
   const std::vector<LatticeDistance> from_centre = region.DistancesFrom(region.Centre());
   std::vector<LatticeDistance> scores = region.DistancesFrom(0);
   for (std::size_t v = 0; v < scores.size(); ++v) scores[v] = std::min(scores[v], from_centre[v]);
-  std::vector<IntermediateTarget> targets;
+  std::vector<std::size_t> maxima;
   for (std::size_t v = 0; v < scores.size(); ++v) {
-    if (scores[v] > 0 && IsLocalMaximum(region, scores, v)) targets.push_back({region.vertices()[v], scores[v]});
+    if (scores[v] > 0 && IsLocalMaximum(region, scores, v)) maxima.push_back(v);
   }
-  std::stable_sort(targets.begin(), targets.end(),
-                   [](const IntermediateTarget& a, const IntermediateTarget& b) { return a.score > b.score; });
+  std::stable_sort(maxima.begin(), maxima.end(), [&](std::size_t a, std::size_t b) { return scores[a] > scores[b]; });
+  std::vector<IntermediateTarget> targets;
+  std::vector<bool> near_another(region.size(), false);
+  for (const std::size_t v : maxima) {
+    if (near_another[v]) continue;
+    targets.push_back({region.vertices()[v], scores[v]});
+    const std::vector<LatticeDistance> distances = region.DistancesFrom(v, apart);
+    for (std::size_t u = 0; u < distances.size(); ++u) {
+      if (distances[u] <= apart) near_another[u] = true;
+    }
+  }
   return targets;
 }
 

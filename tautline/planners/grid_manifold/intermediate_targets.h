@@ -14,9 +14,10 @@ struct IntermediateTarget {
   LatticeDistance score = 0;  ///< The lesser of the distances to the region's centre and to the robot.
 };
 
-/// The local maxima of that score over the region, largest first, without those at the robot or at the centre. Of
+/// The local maxima of that score over the region, largest first, without those at the robot or at the centre, and
+/// without those that are no farther than `apart` from a larger one: the jagged rim of a tether's reach has many. Of
 /// neighbours with equal scores, the one that the region met first. O(AccessibleRegion::Centre).
-std::vector<IntermediateTarget> FindIntermediateTargets(const AccessibleRegion& region);
+std::vector<IntermediateTarget> FindIntermediateTargets(const AccessibleRegion& region, LatticeDistance apart);
 
 /// All vertices in every `spacing`-th column and row; with 1 all but the robot's own. O(vertices of the region).
 std::vector<ManifoldVertex> SampleTargets(const GridManifold& manifold, const AccessibleRegion& region, int spacing);

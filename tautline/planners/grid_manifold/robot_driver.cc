@@ -1,6 +1,7 @@
 #include "tautline/planners/grid_manifold/robot_driver.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "tautline/base/check.h"
@@ -16,6 +17,11 @@ bool IsOpen(const OpenGround& open, const std::vector<ManifoldVertex>& way, std:
     if (!open.Allows(way[i], way[i + 1])) return false;
   }
   return true;
+}
+
+bool TouchesRobot(std::span<const Contact> contacts) {
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [](const Contact& contact) { return contact.kind == ContactKind::kRobot; });
 }
 
 }  // namespace
@@ -80,7 +86,9 @@ LegEnd RobotDriver::Drive(const Destination& destination, DriveState& state, con
     if (way.empty()) return LegEnd::kBlocked;
     for (std::size_t i = 1; i < way.size(); ++i) {
       if (IsTimeUp(state)) return LegEnd::kTimeUp;
+      const std::size_t contacts = state.cable.contacts().size();
       StepTo(way[i], state);
+      if (TouchesRobot(state.cable.contacts().subspan(contacts))) return LegEnd::kTouched;
       if (check && check(state)) return LegEnd::kStopped;
       if (state.at != way[i] || !IsOpen(Look(state), way, i)) break;
     }

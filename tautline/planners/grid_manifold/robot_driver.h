@@ -3,6 +3,7 @@
 #define TAUTLINE_PLANNERS_GRID_MANIFOLD_ROBOT_DRIVER_H_
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -26,6 +27,7 @@ enum class LegEnd {
   kThere,    ///< At the destination.
   kStopped,  ///< The caller's check said so.
   kBlocked,  ///< There is no open way any more.
+  kTouched,  ///< The robot pulled its cable under itself.
   kTimeUp,   ///< The time limit has come.
 };
 
@@ -60,6 +62,9 @@ class RobotDriver {
   /// The side of the squares by which states are told apart (StateKey): the robot's width, but no less than a cell's.
   double coarse_m() const { return std::max(2 * options_.radius_m, manifold_.ground().cell_m()); }
 
+  /// That as a length of steps.
+  LatticeDistance coarse() const { return LimitOf(coarse_m() / manifold_.ground().cell_m()); }
+
   /// How many legs ended at the time limit.
   std::int64_t time_ups() const { return time_ups_; }
 
@@ -73,8 +78,8 @@ class RobotDriver {
   /// from then on: whether it does depends on vertices only.
   void StepTo(ManifoldVertex to, DriveState& state, const OnTick& on_tick = {});
 
-  /// Keeps off the cable: drives a shortest open way, and looks for another one when the cable comes into it.
-  /// [Igarashi2010, Sec. 4.1]
+  /// Keeps off the cable: drives a shortest open way, and looks for another one when the cable comes into it. Where a
+  /// pull brings the cable under the robot, the leg ends. [Igarashi2010, Sec. 4.1]
   LegEnd Drive(const Destination& destination, DriveState& state, const ArrivalCheck& check = {});
 
   /// Follows a field, cable or not. [Igarashi2010, Sec. 3.4]

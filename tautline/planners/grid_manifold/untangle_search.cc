@@ -60,7 +60,8 @@ class UntangleTree {
     const AccessibleRegion region(driver_.Look(node.state), node.state.at);
     std::vector<ManifoldVertex> targets;
     if (node.tried == 0) {
-      for (const IntermediateTarget& target : FindIntermediateTargets(region)) targets.push_back(target.vertex);
+      for (const IntermediateTarget& target : FindIntermediateTargets(region, driver_.coarse()))
+        targets.push_back(target.vertex);
     }
     const GridManifold& manifold = driver_.manifold();
     for (const ManifoldVertex v : SampleTargets(manifold, region, spacing)) {
@@ -83,7 +84,7 @@ class UntangleTree {
       TargetTrial trial = TryTarget(driver_, visit_, state, target);
       if (trial.visited) {
         Keep(*std::move(trial.visited), targets);
-      } else if (trial.after.at != state.at && visit_.KeepsRetreat(trial.after)) {
+      } else if (!trial.touched && trial.after.at != state.at && visit_.KeepsRetreat(trial.after)) {
         Add(trial.after, targets);
       }
     }

@@ -20,12 +20,14 @@ struct Choice {
 Choice Choose(RobotDriver& driver, const GoalVisit& visit, const DriveState& state,
               const std::set<std::uint64_t>& before, int& trials) {
   Choice best;
-  for (const IntermediateTarget& target : FindIntermediateTargets(AccessibleRegion(driver.Look(state), state.at))) {
+  for (const IntermediateTarget& target :
+       FindIntermediateTargets(AccessibleRegion(driver.Look(state), state.at), driver.coarse())) {
     if (!visit.MayTry()) return {};
     ++trials;
     TargetTrial trial = TryTarget(driver, visit, state, target.vertex);
     if (trial.visited) return {std::move(trial), 0};
-    if (before.count(StateKey(trial.after, driver.coarse_m())) > 0 || !visit.KeepsRetreat(trial.after)) continue;
+    if (trial.touched || before.count(StateKey(trial.after, driver.coarse_m())) > 0 || !visit.KeepsRetreat(trial.after))
+      continue;
     const std::size_t region = AccessibleRegion(driver.Look(trial.after), trial.after.at).size();
     if (region > best.region) best = {std::move(trial), region};
   }
@@ -35,18 +37,21 @@ Choice Choose(RobotDriver& driver, const GoalVisit& visit, const DriveState& sta
 }  // namespace
 
 TargetTrial TryTarget(RobotDriver& driver, const GoalVisit& visit, const DriveState& state, ManifoldVertex target) {
-  TargetTrial trial{.after = state, .visited = {}};
-  double looked_s = state.cable.time_s();
+  TargetTrial trial{.after = state, .touched = false, .visited = {}};
+  double looked_s = state.cable.time_s(), look_after_s = driver.LookAfter();
   const auto look = [&](const DriveState& now) {
     if (!visit.IsWayOpen(now)) return false;
+    // Where a visit failed, one from a little farther on most often fails as well.
+    look_after_s *= 2;
     trial.visited = visit.Try(now);
     return trial.visited.has_value();
   };
   const LegEnd end = driver.Drive(ToVertex(driver.manifold(), target), trial.after, [&](const DriveState& now) {
-    if (now.cable.time_s() < looked_s + driver.LookAfter()) return false;
+    if (now.cable.time_s() < looked_s + look_after_s) return false;
     looked_s = now.cable.time_s();
     return look(now);
   });
+  trial.touched = end == LegEnd::kTouched;
   if (end == LegEnd::kThere || end == LegEnd::kBlocked) look(trial.after);
   return trial;
 }

@@ -12,11 +12,12 @@ namespace tautline {
 /// A drive to an intermediate target, tried on a copy.
 struct TargetTrial {
   DriveState after;                   ///< Where it ended: at the target, where the way opened, or where it was blocked.
+  bool touched = false;               ///< It ended because the robot pulled its cable under itself.
   std::optional<DriveState> visited;  ///< Where the way to the goal opened: the state after the visit.
 };
 
 /// Drives a copy of `state` to a target until the way to the goal is open and a visit succeeds. The way is looked at
-/// each time that the robot has driven as far as it is wide, and at the end.
+/// each time that the robot has driven as far as it is wide, after each visit that failed twice as far, and at the end.
 TargetTrial TryTarget(RobotDriver& driver, const GoalVisit& visit, const DriveState& state, ManifoldVertex target);
 
 /// What untangling came to.
