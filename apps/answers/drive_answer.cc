@@ -1,5 +1,6 @@
 #include "apps/answers/drive_answer.h"
 
+#include <span>
 #include <utility>
 
 #include "tautline/scene/check_tether.h"
@@ -93,6 +94,25 @@ Json ToJson(const JsonValues& values, const Contact& contact) {
   return json;
 }
 
+Json ToJson(const JsonValues& values, const TargetTrials& trials) {
+  Json json;
+  json["goal"] = values.Of(trials.goal);
+  json["robot"] = values.Of(trials.robot);
+  json["open"] = trials.open;
+  json["accessible"] = trials.region.size();
+  if (trials.chosen) json["chosen"] = *trials.chosen;
+  json["targets"] = Json::array();
+  for (const TriedTarget& target : trials.targets) {
+    Json& item = json["targets"].emplace_back();
+    item["at"] = values.Of(target.at);
+    item["score"] = target.score_m;
+    item["clears"] = target.clears;
+    item["touches_cable"] = target.touched;
+    item["accessible"] = target.region.size();
+  }
+  return json;
+}
+
 std::vector<Point> GoalsOf(const Scene& scene, const DriveQuestion& question) {
   if (!question.goals.empty()) return question.goals;
   std::vector<Point> goals = scene.tasks;
@@ -123,6 +143,7 @@ class Driving {
     const DriveResult result = Drive(manifold, *start, goals, options);
     answer_.trace = TraceDrive(manifold, *start, result, options.robot, {.sample_s = question_.sample_s});
     AddResult(manifold, result);
+    if (question_.candidates > 0) AddCandidates(manifold, *start, result);
   }
 
   void Refuse(const char* status, const std::string& reason, const std::string& explanation) {
@@ -135,6 +156,21 @@ class Driving {
   }
 
  private:
+  /// What untangling weighs where the robot sets out for a goal.
+  void AddCandidates(const GridManifold& manifold, const DriveState& start, const DriveResult& result) {
+    const std::size_t goal = question_.candidates - 1;
+    const DriveFailure failure = result.goals[goal].failure;
+    if (failure == DriveFailure::kNotTried || failure == DriveFailure::kGoalBlocked ||
+        failure == DriveFailure::kTetherTooShort) {
+      return;
+    }
+    const std::size_t steps = goal == 0 ? 0 : result.goals[goal - 1].steps;
+    const DriveState before = Replay(manifold, start, std::span(result.end.way).first(steps), question_.options.robot);
+    answer_.candidates = TryTargets(manifold, before, result.goals[goal].goal, question_.options);
+    answer_.grid = manifold.ground().grid();
+    answer_.json["candidates"] = ToJson(values_, *answer_.candidates);
+  }
+
   void AddResult(const GridManifold& manifold, const DriveResult& result) {
     answer_.json["status"] = "solved";
     answer_.json["success"] = true;
@@ -188,6 +224,11 @@ Expected<std::vector<Point>> CheckedGoals(const Scene& scene, const DriveQuestio
   std::vector<Point> goals = GoalsOf(scene, question);
   if (goals.empty()) {
     return InvalidInput("the scene has no goal; add `goal: [x, y]` or `tasks: [[x, y], ...]`, or give --goals",
+                        scene.path);
+  }
+  if (question.candidates > goals.size()) {
+    return InvalidInput("there are " + std::to_string(goals.size()) + " goals, and --candidates asks for number " +
+                            std::to_string(question.candidates),
                         scene.path);
   }
   for (const Point goal : goals) {

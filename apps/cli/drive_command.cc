@@ -12,7 +12,7 @@
 #include "apps/cli/goals_file.h"
 #include "apps/cli/option_checks.h"
 #include "apps/cli/progress_bar.h"
-#include "tautline/draw/draw_drive.h"
+#include "apps/pictures/drive_pictures.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline::cli {
@@ -45,6 +45,22 @@ std::string ToText(const GoalOutcome& goal, std::size_t number) {
   return text + (goal.retreat_kept ? "\n" : ", without a way back\n");
 }
 
+std::string ToText(const TargetTrials& trials) {
+  std::string text =
+      fmt::format("Candidates on the way to {}{}:\n", ToText(trials.goal), trials.open ? ", which is open" : "");
+  for (std::size_t i = 0; i < trials.targets.size(); ++i) {
+    const TriedTarget& target = trials.targets[i];
+    text +=
+        fmt::format("  {:3}  {:<14} score {:>7}, {}{}\n", i + 1,
+                    fmt::format("({:.4g}, {:.4g})", target.at.x, target.at.y), fmt::format("{:.4g} m", target.score_m),
+                    target.clears    ? "clears the way"
+                    : target.touched ? "pulls the cable under the robot"
+                                     : fmt::format("leaves {} vertices", target.region.size()),
+                    trials.chosen == i ? ", chosen" : "");
+  }
+  return text;
+}
+
 std::string ToText(const DriveAnswer& answer) {
   if (answer.trace.empty()) return fmt::format("No drive: {}.\n", answer.explanation);
   const auto robot = static_cast<std::size_t>(std::count_if(
@@ -60,7 +76,7 @@ std::string ToText(const DriveAnswer& answer) {
     text += ToText(answer.goals[i], i + 1);
   }
   if (answer.goals.size() > kMostListed) text += fmt::format("  ... and {} more\n", answer.goals.size() - kMostListed);
-  return text;
+  return text + (answer.candidates ? ToText(*answer.candidates) : "");
 }
 
 Expected<DriveQuestion> QuestionOf(const DriveCommand& command) {
@@ -94,15 +110,10 @@ Expected<int> RunDrive(const DriveCommand& command) {
   const auto answer = AnswerDrive(*scene, *question);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
-  const DrivePicture picture{.frames = answer->trace,
-                             .contacts = answer->contacts,
-                             .goals = answer->goals,
-                             .robot_radius_m = question->options.robot.radius_m,
-                             .explanation = answer->explanation};
   return Deliver(command.common, {.json = answer->json,
                                   .text = ToText(*answer),
-                                  .draw = [&] { return DrawDrive(*scene, picture); },
-                                  .animate = [&] { return AnimateDrive(*scene, picture); },
+                                  .draw = [&] { return DrawAnswer(*scene, *question, *answer); },
+                                  .animate = [&] { return AnimateAnswer(*scene, *question, *answer); },
                                   .status = answer->status});
 }
 
@@ -179,6 +190,10 @@ Run AddDrive(CLI::App& app) {
   sub->add_option("--max-bytes", command->question.max_bytes, "bytes of memory of the manifold after which to stop")
       ->check(AtLeastOne())
       ->capture_default_str();
+  sub->add_option("--candidates", command->question.candidates,
+                  "also, and in pictures instead: what untangling weighs before the goal of this number")
+      ->type_name("NUMBER")
+      ->check(AtLeastOne());
   sub->add_option("--animate", command->common.animate, "draw the drive to this SVG file, which moves in browsers")
       ->type_name("FILE")
       ->check(FileName());

@@ -58,6 +58,7 @@ struct GoalOutcome {
   Point goal;                                  ///< Metres.
   DriveFailure failure = DriveFailure::kNone;  ///< Why it was not visited.
   double time_s = 0;                           ///< When it was visited, from the start.
+  std::size_t steps = 0;                       ///< Vertices of the way until then.
   int targets = 0;                             ///< Intermediate targets on the way to it; for kRetract: drives back.
   int trials = 0;                              ///< Motions that were simulated to find them.
   bool searched = false;                       ///< The search found them.
@@ -104,7 +105,7 @@ DriveResult Drive(const GridManifold& manifold, const DriveState& start, std::sp
 /// Drives a way again from where it began and tells of every step of the simulation: the same as the first time, to
 /// the bit. Returns where it ends.
 DriveState Replay(const GridManifold& manifold, const DriveState& start, std::span<const ManifoldVertex> way,
-                  const RobotOptions& options, const RobotDriver::OnTick& on_tick);
+                  const RobotOptions& options, const RobotDriver::OnTick& on_tick = {});
 
 }  // namespace tautline
 

@@ -51,6 +51,7 @@ GoalOutcome GoalDrive::Run(DriveState& state) {
       break;
   }
   outcome_.time_s = state.cable.time_s();
+  outcome_.steps = state.way.size();
   return outcome_;
 }
 
