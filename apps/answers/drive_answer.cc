@@ -61,8 +61,9 @@ std::string Explain(const GoalOutcome& goal, std::size_t number, const DriveQues
              (question.options.untangle == Untangling::kHeuristic ? ": try --untangle both"
                                                                   : ": raise --search-trials");
     case DriveFailure::kNoWay:
-      return "the cable blocks every way to " + which + ", and no motion of this resolution clears one (" +
-             std::to_string(goal.trials) + " were simulated)";
+      return "the cable blocks every way to " + which + ", and no motion of this resolution" +
+             (number == 1 ? "" : " from where the robot then is") + " clears one (" + std::to_string(goal.trials) +
+             " were simulated)";
     case DriveFailure::kTimeUp:
       return which + " was not visited within " + ShortNumber(question.options.robot.time_limit_s) +
              " s: raise --time-limit";
@@ -177,8 +178,9 @@ class Driving {
     for (std::size_t i = 0; i < result.goals.size(); ++i) {
       const DriveFailure failure = result.goals[i].failure;
       if (failure == DriveFailure::kNone) continue;
-      // Only what a finite search has shown is infeasible.
-      const bool proved = failure != DriveFailure::kWayNotFound && failure != DriveFailure::kTimeUp;
+      // Only what a finite search has shown is infeasible: with other visits before it, a goal may have a way.
+      const bool proved = failure == DriveFailure::kGoalBlocked || failure == DriveFailure::kTetherTooShort ||
+                          (failure == DriveFailure::kNoWay && i == 0);
       Refuse(proved ? "infeasible" : "budget_exceeded", ReasonOf(failure), Explain(result.goals[i], i + 1, question_));
       break;
     }

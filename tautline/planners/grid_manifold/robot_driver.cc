@@ -10,6 +10,8 @@ namespace tautline {
 namespace {
 
 constexpr int kStepsPerQuestion = 20;
+/// A leg that has become so many times as long as its first way goes to and fro before a cable that goes with it.
+constexpr std::size_t kMostDetour = 4;
 
 /// Whether the way from one of its vertices on is open as the cable lies now.
 bool IsOpen(const OpenGround& open, const std::vector<ManifoldVertex>& way, std::size_t from) {
@@ -81,13 +83,16 @@ void RobotDriver::StepTo(ManifoldVertex to, DriveState& state, const OnTick& on_
 }
 
 LegEnd RobotDriver::Drive(const Destination& destination, DriveState& state, const ArrivalCheck& check) {
+  std::size_t driven = 0, first_way = 0;
   while (!destination.holds(state.at)) {
     const std::vector<ManifoldVertex> way = FindWay(Look(state), state.at, destination);
-    if (way.empty()) return LegEnd::kBlocked;
+    if (first_way == 0) first_way = way.size();
+    if (way.empty() || driven > kMostDetour * first_way) return LegEnd::kBlocked;
     for (std::size_t i = 1; i < way.size(); ++i) {
       if (IsTimeUp(state)) return LegEnd::kTimeUp;
       const std::size_t contacts = state.cable.contacts().size();
       StepTo(way[i], state);
+      ++driven;
       if (TouchesRobot(state.cable.contacts().subspan(contacts))) return LegEnd::kTouched;
       if (check && check(state)) return LegEnd::kStopped;
       if (state.at != way[i] || !IsOpen(Look(state), way, i)) break;

@@ -26,7 +26,7 @@ struct DriveState {
 enum class LegEnd {
   kThere,    ///< At the destination.
   kStopped,  ///< The caller's check said so.
-  kBlocked,  ///< There is no open way any more.
+  kBlocked,  ///< There is no open way any more, or new ones again and again.
   kTouched,  ///< The robot pulled its cable under itself.
   kTimeUp,   ///< The time limit has come.
 };
