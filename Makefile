@@ -30,7 +30,7 @@ test: release-with-tests  ## build everything and run all tests
 
 .PHONY: soak
 soak: release-with-tests  ## the random tests of engine and planner, SOAK_SCALE percent as long: 100,000 scenes
-	TAUTLINE_TEST_SCALE=$(SOAK_SCALE) ctest --preset release -R '^(homotopy|cable|tether)/' --timeout 86400
+	TAUTLINE_TEST_SCALE=$(SOAK_SCALE) ctest --preset release -R '^(scene|homotopy|cable|tether)/' --timeout 86400
 
 .PHONY: wasm
 wasm: packages-wasm  ## compile the core for browsers, compare it with the program on every scene
@@ -59,13 +59,11 @@ format-check: packages-ci  ## fail if a source is not formatted
 comma := ,
 empty :=
 QUICK_CHECKS = $(subst $(empty) ,$(comma),$(strip -* \
-  bugprone-dangling-handle bugprone-infinite-loop bugprone-integer-division bugprone-narrowing-conversions \
-  bugprone-implicit-widening-of-multiplication-result bugprone-unused-return-value bugprone-use-after-move \
-  google-explicit-constructor misc-unused-parameters misc-unused-using-decls \
-  modernize-use-emplace modernize-use-using performance-* \
-  readability-container-size-empty readability-duplicate-include readability-function-size \
-  readability-identifier-naming readability-inconsistent-declaration-parameter-name readability-redundant-* \
-  readability-simplify-boolean-expr))
+  bugprone-narrowing-conversions bugprone-use-after-move misc-unused-parameters misc-unused-using-decls \
+  modernize-use-emplace performance-for-range-copy performance-inefficient-vector-operation \
+  performance-no-automatic-move performance-unnecessary-copy-initialization performance-unnecessary-value-param \
+  readability-function-size readability-identifier-naming readability-inconsistent-declaration-parameter-name \
+  readability-redundant-member-init readability-redundant-string-init))
 
 .PHONY: tidy tidy-deep
 tidy: packages-ci  ## run clang-tidy over all sources but the tests, with the checks that have found something

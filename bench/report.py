@@ -13,8 +13,8 @@ import re
 import sys
 
 from line_chart import LineChart
-from results import Missing, Results, binary_bytes, count, digits, seconds, table, times
-from targets import SIZES, all_targets
+from results import Missing, Results, binary_bytes, count, digits, plain_bytes, seconds, table, times
+from targets import CABLES, MANIFOLDS, SIZES, all_targets
 
 SERIES_HOLES = ("10", "30", "100", "300", "1000", "3000")
 TETHERS = ("2000", "3000", "4000", "5000", "6000", "7000", "8000")
@@ -280,6 +280,64 @@ def fleet_growth(results):
     return "\n".join(f"- {what}: n^{exponent(points):.2f}" for what, points in fleet_series(results).items())
 
 
+def manifold_rows(results, names):
+    rows = []
+    for name in names:
+        v = lambda counter: results.value(f"manifold/{name}", counter)
+        rows.append([count(v("vertices")), seconds(v("seconds")), seconds(v("seconds") / v("vertices")),
+                     seconds(1 / v("cells_per_second")), times(v("against_one_sheet")), plain_bytes(v("bytes_per_vertex"))])
+    return rows
+
+
+MANIFOLD_HEAD = ["vertices", "time", "per vertex", "one sheet: per cell", "ratio", "memory of a vertex"]
+
+
+def manifold(results):
+    rows = manifold_rows(results, ("60_thousand", "8_million"))
+    for row, name in zip(rows, ("60_thousand", "8_million")):
+        v = lambda counter: results.value(f"manifold/{name}", counter)
+        row += [seconds(v("word_strings")), times(v("against_word_strings"))]
+    return table([*MANIFOLD_HEAD, "search over words as usually written", "ratio"], rows)
+
+
+def manifold_growth(results):
+    names = [f"growth/{size}" for size in MANIFOLDS]
+    points = [(results.value(f"manifold/{n}", "vertices"), results.value(f"manifold/{n}", "seconds")) for n in names]
+    rows = table(MANIFOLD_HEAD, manifold_rows(results, names))
+    return f"{rows}\n\nThe exponent of growth, fitted to all of them: n^{exponent(points):.2f}."
+
+
+def manifold_threads(results):
+    wall, schedule = "manifold/two_threads/wall", "manifold/two_threads/schedule"
+    return table(["8 million vertices", "one thread", "two threads", "ratio", "if none waits for a processor"],
+                 [["quickest of 15", seconds(results.value(wall, "one")), seconds(results.value(wall, "two")),
+                   times(results.value(wall, "two_threads")), times(results.value(schedule, "two_threads"))]])
+
+
+def cable(results):
+    rows = []
+    for name, text in CABLES:
+        v = lambda counter: results.value(f"cable/{name}", counter)
+        rows.append([text, count(v("nodes")), count(v("contacts")), times(v("real_time_factor")), ""])
+    for sweeps in (1, 20):
+        v = lambda counter: results.value(f"cable/pillars/plain_rope/{sweeps}", counter)
+        what = f"plain rope among pillars, {sweeps} sweep{'s' if sweeps > 1 else ''} a step"
+        rows.append([what, "", "", times(v("real_time_factor")), f"{100 * v('steps_through_obstacles'):.0f} %"])
+    return table(["cable", "nodes", "contacts", "times faster than real time", "steps with links in obstacles"], rows)
+
+
+def chart_manifold(results):
+    millions = lambda value: f"{digits(value / 1e6)} million"
+    chart = LineChart("The manifold on a grid", "vertices", "processor time", millions, seconds)
+    names = [f"manifold/growth/{size}" for size in MANIFOLDS]
+    chart.add("in the open", [(results.value(n, "vertices"), results.value(n, "seconds")) for n in names])
+    small = [f"manifold/{name}" for name in ("60_thousand", "8_million")]
+    chart.add("among 9 islands", [(results.value(n, "vertices"), results.value(n, "seconds")) for n in small])
+    chart.add("search over words as usually written",
+              [(results.value(n, "vertices"), results.value(n, "word_strings")) for n in small])
+    return chart
+
+
 def chart_fleet(results):
     chart = LineChart("Fleets: time over robots", "robots", "processor time", count, seconds)
     for what, points in fleet_series(results).items():
@@ -357,11 +415,13 @@ TABLES = {"machine": machine, "triangulation": triangulation, "visibility": visi
           "growth_vertices": growth_vertices, "growth_holes": growth_holes, "growth_tether": growth_tether,
           "growth_classes": growth_classes, "workspace_loops": workspace_loops, "workspace_anchors": workspace_anchors,
           "workspace_obstacles": workspace_obstacles, "workspace_length": workspace_length, "fleet": fleet,
-          "fleet_peer": fleet_peer, "fleet_growth": fleet_growth}
+          "fleet_peer": fleet_peer, "fleet_growth": fleet_growth,
+          "manifold": manifold, "manifold_growth": manifold_growth, "manifold_threads": manifold_threads, "cable": cable}
 CHARTS = {"performance_triangulation": chart_triangulation, "performance_vertices": chart_vertices,
           "performance_holes": chart_holes, "performance_classes": chart_classes,
           "performance_workspace": chart_workspace, "performance_workspace_growth": chart_workspace_growth,
-          "performance_workspace_loops": chart_workspace_loops, "performance_fleet": chart_fleet}
+          "performance_workspace_loops": chart_workspace_loops, "performance_fleet": chart_fleet,
+          "performance_manifold": chart_manifold}
 
 
 def with_table(page, name, text):

@@ -69,6 +69,10 @@ def binary_bytes(value):
     return f"{digits(value / 2 ** 20)} MiB" if value >= 2 ** 17 else f"{digits(value / 2 ** 10)} KiB"
 
 
+def plain_bytes(value):
+    return f"{digits(value)} B"
+
+
 def times(value):
     return f"{digits(value)} ×"
 

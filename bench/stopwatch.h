@@ -17,6 +17,13 @@ inline double ThreadSeconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// Seconds on the clock on the wall: for work in several threads.
+inline double WallSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 /// The processor seconds that one call of `work` takes. Reading the clock costs less than half a microsecond.
 template <class Work>
 double SecondsOf(Work work) {

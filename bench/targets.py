@@ -1,7 +1,10 @@
 """The figures that tautline sets itself, each with where it is measured."""
-from results import digits, seconds, times
+from results import digits, plain_bytes, seconds, times
 
 SIZES = ("1000", "3000", "10000", "30000", "100000")
+MANIFOLDS = ("1e4", "1e5", "1e6", "1e7", "1e8")
+CABLES = (("pillars/free", "among pillars"), ("pillars/short", "among pillars, often taut"),
+          ("pillars/retracting", "among pillars, on a reel"), ("map/free", "on a map of 1,000 vertices"))
 MAZE = "`make bench FILTER=maze`"
 
 
@@ -82,4 +85,34 @@ def all_targets():
         name = f"fleet/robots/{size}"
         targets.append(Target(f"fleet of {int(size):,} robots: layout checked, motion planned and played",
                               time_of(name), limit, command=command))
+    return targets + manifold_targets() + cable_targets()
+
+
+def manifold_targets():
+    targets = []
+    for name, text, limit in (("60_thousand", "60 thousand vertices", 30), ("8_million", "8 million vertices", 100)):
+        command = f"`make bench FILTER=manifold/{name}`"
+        targets.append(Target(f"manifold, {text}; search over words as usually written",
+                              at(f"manifold/{name}", "against_word_strings"), limit, times, command, True))
+        targets.append(Target(f"manifold, {text}: vertices a second, of one sheet's cells a second",
+                              at(f"manifold/{name}", "against_one_sheet"), 0.7, times, command, True))
+        targets.append(Target(f"manifold, {text}: memory of a vertex",
+                              at(f"manifold/{name}", "bytes_per_vertex"), 16, plain_bytes, command))
+    for size in MANIFOLDS:
+        command = f"`make bench FILTER=manifold/growth/{size}`"
+        text = f"{int(float(size)):,} vertices in the open"
+        targets.append(Target(f"manifold, {text}: vertices a second, of one sheet's cells a second",
+                              at(f"manifold/growth/{size}", "against_one_sheet"), 0.7, times, command, True))
+        targets.append(Target(f"manifold, {text}: memory of a vertex",
+                              at(f"manifold/growth/{size}", "bytes_per_vertex"), 16, plain_bytes, command))
+    targets.append(Target("manifold, 8 million vertices: two threads against one",
+                          at("manifold/two_threads/wall", "two_threads"), 1.6, times,
+                          "`make bench FILTER=manifold/two_threads`", True))
     return targets
+
+
+def cable_targets():
+    command = "`make bench FILTER=cable`"
+    return [Target(f"cable of 200 nodes, {text}: times faster than real time",
+                   at(f"cable/{name}", "real_time_factor"), 1000, times, command, True)
+            for name, text in CABLES]

@@ -7,6 +7,7 @@
 #include "apps/answers/reach_answer.h"
 #include "apps/answers/show_answer.h"
 #include "apps/pictures/fleet_pictures.h"
+#include "apps/pictures/manifold_pictures.h"
 #include "apps/pictures/workspace_pictures.h"
 #include "apps/wasm/ask_options.h"
 #include "tautline/draw/draw_classes.h"
@@ -108,7 +109,7 @@ Reply Show(const Scene& scene, const AskOptions& options) {
   return reply;
 }
 
-/// The answer of one of the workspace or fleet commands.
+/// The answer of a command whose picture DrawAnswer makes.
 template <class Answer>
 Reply ReplyWith(const Scene& scene, const AskOptions& options, const Expected<Answer>& answer) {
   if (!answer) return Refuse(answer.error());
@@ -168,6 +169,12 @@ Reply Simulate(const Scene& scene, const AskOptions& options) {
   return ReplyWithFilm(scene, options, AnswerSimulate(scene, question));
 }
 
+Reply Manifold(const Scene& scene, const AskOptions& options) {
+  ManifoldQuestion question = options.manifold;
+  question.cells.unknown_free = options.scene.unknown_free;
+  return ReplyWith(scene, options, AnswerManifold(scene, question));
+}
+
 Reply Answer(const Question& question) {
   const auto options = ReadAskOptions(question.command, question.options);
   if (!options) return Refuse(options.error());
@@ -187,7 +194,8 @@ Reply Answer(const Question& question) {
                                                         {"fleet check", Check},
                                                         {"fleet layouts", Layouts},
                                                         {"fleet plan", PlanFleetMotion},
-                                                        {"fleet simulate", Simulate}};
+                                                        {"fleet simulate", Simulate},
+                                                        {"manifold", Manifold}};
   for (const auto& [name, answerer] : answerers) {
     if (question.command == name) return answerer(*scene, *options);
   }

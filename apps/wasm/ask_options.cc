@@ -86,6 +86,18 @@ class OptionsReader {
                                       "bent-sequential");
   }
 
+  void Resolution(std::optional<double>& to) {
+    if (const Document* value = options_.Find("resolution")) to = reader_.ReadPositive(*value, "resolution");
+  }
+
+  void Connectivity(std::optional<int>& to) {
+    const Document* value = options_.Find("connectivity");
+    if (value == nullptr) return;
+    const double number = reader_.ReadNumber(*value, "connectivity");
+    if (reader_.ok() && number != 4 && number != 8) reader_.Fail(value->position, "connectivity must be 4 or 8");
+    if (reader_.ok()) to = static_cast<int>(number);
+  }
+
   /// The names of robots.
   void Order(std::vector<std::string>& to) {
     const Document* value = options_.Find("order");
@@ -195,6 +207,17 @@ void ReadSimulate(OptionsReader& options, AskOptions& asked) {
   options.Order(asked.simulate.order);
 }
 
+void ReadManifold(OptionsReader& options, ManifoldQuestion& question) {
+  options.Resolution(question.cells.resolution_m);
+  options.Connectivity(question.connectivity);
+  options.Flag("literal", question.literal);
+  options.Flag("sheets", question.sheets);
+  options.Flag("field", question.field);
+  options.Flag("deadlocks", question.deadlocks);
+  options.AtLeastOne("max_nodes", question.max_vertices);
+  options.AtLeastOne("max_bytes", question.max_bytes);
+}
+
 /// A command with the options that it knows besides those of all, and how they are read.
 struct CommandOptions {
   const char* name;
@@ -230,6 +253,9 @@ std::vector<CommandOptions> AllCommands() {
        [](OptionsReader& o, AskOptions& asked) { ReadLayouts(o, asked.layouts); }},
       {"fleet plan", {"mode", "speeds", "gap", "budget", "animate"}, ReadFleetPlan},
       {"fleet simulate", {"mode", "order", "animate"}, ReadSimulate},
+      {"manifold",
+       {"resolution", "connectivity", "literal", "sheets", "field", "deadlocks", "max_nodes", "max_bytes"},
+       [](OptionsReader& o, AskOptions& asked) { ReadManifold(o, asked.manifold); }},
   };
 }
 

@@ -9,6 +9,7 @@
 #include "apps/answers/classes_answer.h"
 #include "apps/answers/fleet_plan_answer.h"
 #include "apps/answers/layouts_answer.h"
+#include "apps/answers/manifold_answer.h"
 #include "apps/answers/move_answer.h"
 #include "apps/answers/plan_answer.h"
 #include "apps/answers/pose_answer.h"
@@ -37,6 +38,7 @@ struct AskOptions {
   LayoutsQuestion layouts;
   FleetPlanQuestion fleet_plan;
   SimulateQuestion simulate;
+  ManifoldQuestion manifold;
 };
 
 /// Reads a JSON object such as `{"count": 5, "svg": true}`; no text stands for no options. All commands know `svg`,

@@ -104,7 +104,7 @@ TEST(Ask, BadInputIsOneLineAndNothingElse) {
   const std::pair<Reply, const char*> faults[] = {
       {AskAbout("paln", kBlock),
        "there is no command 'paln'; there are plan, reach, classes, taut, show, workspace boundary, workspace best, "
-       "workspace pose, workspace move, workspace tour, fleet check, fleet layouts, fleet plan and fleet simulate"},
+       "workspace pose, workspace move, workspace tour, fleet check, fleet layouts, fleet plan, fleet simulate and manifold"},
       {AskAbout("plan", "{"), "scene:1: not valid JSON"},
       {AskAbout("plan", R"({"world": 1})"), "scene:1: world must be a map"},
       {AskAbout("plan", kBlock, "[]"), "options:1: options must be a map"},

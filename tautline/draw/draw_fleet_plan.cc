@@ -152,8 +152,8 @@ void AddMaps(const MapPanels& panels, const FleetGround& ground, const FleetPlan
   rows.back().panels.push_back(std::move(paths));
 }
 
-void AddGraphs(const EventGraph& events, const FleetGround& ground, const FleetPlan& plan, std::vector<SheetRow>& rows,
-               std::vector<std::string>& notes) {
+void AddGraphs(const EventGraphDrawing& events, const FleetGround& ground, const FleetPlan& plan,
+               std::vector<SheetRow>& rows, std::vector<std::string>& notes) {
   if (ground.size() < 2) return;
   if (ground.size() > kMostInGraphs) {
     notes.push_back("With more than " + std::to_string(kMostInGraphs) + " robots the graphs are not drawn.");
@@ -200,7 +200,7 @@ std::string DrawFleetPlan(const Scene& scene, const FleetGround& ground, const F
   if (std::string text = Sentences(ground, plan); !text.empty()) sheet.notes.push_back(std::move(text));
   sheet.notes.insert(sheet.notes.end(), picture.notes.begin(), picture.notes.end());
   AddMaps(panels, ground, picture, sheet.rows);
-  const EventGraph events(ground.size() <= kMostInGraphs ? plan : FleetPlan{});
+  const EventGraphDrawing events(ground.size() <= kMostInGraphs ? plan : FleetPlan{});
   AddGraphs(events, ground, plan, sheet.rows, sheet.notes);
   std::vector<GanttRow> rows = ScheduleRows(ground, plan);
   const std::string shown = rows.size() < ground.size()

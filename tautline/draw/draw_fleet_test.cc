@@ -136,15 +136,15 @@ TEST(DrawFleetPlan, OfAThousandRobotsLeavesTheGraphsOut) {
   EXPECT_LT(svg.size(), 1'500'000u);
 }
 
-TEST(EventGraph, HasACircleWhereNoOrderIsPossible) {
+TEST(EventGraphDrawing, HasACircleWhereNoOrderIsPossible) {
   const Example e = Prepare(TriangleScene());
-  EXPECT_FALSE(EventGraph(HandMadePlan(e.ground, kTriangleOrders)).has_circle());
-  EXPECT_EQ(EventGraph(HandMadePlan(e.ground, kTriangleOrders)).rows(), 3u);
+  EXPECT_FALSE(EventGraphDrawing(HandMadePlan(e.ground, kTriangleOrders)).has_circle());
+  EXPECT_EQ(EventGraphDrawing(HandMadePlan(e.ground, kTriangleOrders)).rows(), 3u);
   FleetPlan plan = HandMadePlan(e.ground, {});
   // r1 passes A before B, r2 passes B before A; A asks r2 to be first, B asks r1.
   plan.passings = {{.first = RobotId(1), .second = RobotId(0), .label = "A", .first_along = 2, .second_along = 1},
                    {.first = RobotId(0), .second = RobotId(1), .label = "B", .first_along = 2, .second_along = 1}};
-  EXPECT_TRUE(EventGraph(plan).has_circle());
+  EXPECT_TRUE(EventGraphDrawing(plan).has_circle());
 }
 
 TEST(DrawSimulate, DrawsDifferencesRed) {

@@ -56,7 +56,7 @@ SvgWriter::Options WriterOptions(const Page& page, const FreeSpace& space, const
 }  // namespace
 
 std::string SceneRemark(const Scene& scene, const FreeSpace& space) {
-  const std::string file = scene.path.substr(scene.path.find_last_of('/') + 1);
+  std::string file = scene.path.substr(scene.path.find_last_of('/') + 1);
   if (IsOpenPlane(scene.world)) return file;
   const int decimals = std::min(LengthDecimals(space), 3);
   const Point size = space.box.empty() ? Point{} : space.box.size();

@@ -106,7 +106,7 @@ void DrawPairGraph(SvgWriter& svg, const Box& frame, const FleetGround& ground, 
   svg.CloseGroup();
 }
 
-EventGraph::EventGraph(const FleetPlan& plan) : chains_(plan.schedule.size()) {
+EventGraphDrawing::EventGraphDrawing(const FleetPlan& plan) : chains_(plan.schedule.size()) {
   for (const Passing& p : plan.passings) {
     const std::size_t before = AddEvent(p.first.index(), p.first_along, p.label);
     orders_.emplace_back(before, AddEvent(p.second.index(), p.second_along, p.label));
@@ -122,7 +122,7 @@ EventGraph::EventGraph(const FleetPlan& plan) : chains_(plan.schedule.size()) {
 }
 
 /// Crossings at one place of a path are one event.
-std::size_t EventGraph::AddEvent(std::size_t robot, double along, const std::string& label) {
+std::size_t EventGraphDrawing::AddEvent(std::size_t robot, double along, const std::string& label) {
   for (const std::size_t k : chains_[robot]) {
     if (events_[k].along != along) continue;
     Join(events_[k].label, label);
@@ -133,7 +133,7 @@ std::size_t EventGraph::AddEvent(std::size_t robot, double along, const std::str
   return events_.size() - 1;
 }
 
-void EventGraph::FindCircles() {
+void EventGraphDrawing::FindCircles() {
   const std::size_t count = events_.size();
   reaches_.assign(count, std::vector<bool>(count));
   for (std::size_t start = 0; start < count; ++start) {
@@ -151,14 +151,14 @@ void EventGraph::FindCircles() {
   }
 }
 
-bool EventGraph::OnOneCircle(std::size_t a, std::size_t b) const { return reaches_[a][b] && reaches_[b][a]; }
+bool EventGraphDrawing::OnOneCircle(std::size_t a, std::size_t b) const { return reaches_[a][b] && reaches_[b][a]; }
 
-bool EventGraph::has_circle() const {
+bool EventGraphDrawing::has_circle() const {
   return std::any_of(events_.begin(), events_.end(), [](const Event& event) { return event.in_circle; });
 }
 
 /// Each event right of all that it waits for; on a circle, right of those before it on its own chain.
-void EventGraph::PlaceColumns() {
+void EventGraphDrawing::PlaceColumns() {
   bool moved = true;
   for (std::size_t round = 0; moved && round <= events_.size(); ++round) {
     moved = false;
@@ -174,7 +174,7 @@ void EventGraph::PlaceColumns() {
   for (const Event& event : events_) columns_ = std::max(columns_, event.column + 1);
 }
 
-void EventGraph::Draw(SvgWriter& svg, const Box& frame, const FleetGround& ground) const {
+void EventGraphDrawing::Draw(SvgWriter& svg, const Box& frame, const FleetGround& ground) const {
   constexpr double kNames = 74, kEnds = 34;
   const double row = frame.size().y / static_cast<double>(std::max<std::size_t>(rows(), 1));
   const double column = (frame.size().x - kNames - 2 * kEnds) / static_cast<double>(columns_ + 1);

@@ -18,13 +18,14 @@ void DrawPairGraph(SvgWriter& svg, const Box& frame, const FleetGround& ground, 
 
 /// The event graph of the straight paths, ready to be drawn: one chain of events for each robot, and an arrow from the
 /// first passage of each crossing to the second. What lies on a circle, so that it cannot happen in any order, is red.
-class EventGraph {
+class EventGraphDrawing {
  public:
   /// Lays the events out in columns such that arrows lead to the right, as far as they can. O(events * crossings).
-  explicit EventGraph(const FleetPlan& plan);
+  explicit EventGraphDrawing(const FleetPlan& plan);
 
-  /// How many columns and rows it takes.
+  /// How many columns it takes.
   std::size_t columns() const { return columns_; }
+  /// How many rows it takes.
   std::size_t rows() const { return chains_.size(); }
   /// Whether some events wait for each other in a circle.
   bool has_circle() const;

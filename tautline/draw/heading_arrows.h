@@ -10,8 +10,9 @@
 
 namespace tautline {
 
-/// Headings of the first class of a cell, and of the others.
+/// Headings of the first class of a cell.
 inline const LineStyle kHeadingLine = {.colour = "#0b4a8f", .width = 1};
+/// Headings of the others.
 inline const LineStyle kOtherHeadingLine = {.colour = "#9a9a9a", .width = 0.8};
 
 /// How arrows on a lattice are thinned out until they can be told apart.

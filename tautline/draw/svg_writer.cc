@@ -300,11 +300,11 @@ void SvgWriter::TextInTurns(const SvgText& text, std::span<const std::string> tu
     std::vector<std::string> values = {i == 0 ? "visible" : "hidden"};
     if (i > 0) {
       turn.times.push_back(motion.times[i]);
-      values.push_back("visible");
+      values.emplace_back("visible");
     }
     if (!last) {
       turn.times.push_back(motion.times[i + 1]);
-      values.push_back("hidden");
+      values.emplace_back("hidden");
     }
     OpenText(text, last ? "" : " visibility=\"hidden\"");
     out_ += EscapeXml(turns[i]);

@@ -19,8 +19,9 @@ class PinGrid {
   /// About as many cells as there are pins, over the box of `places`. O(n).
   PinGrid(std::span<const Point> pins, std::span<const Point> places);
 
-  /// Where a pin stands from now on, or that it is gone from where it stood.
+  /// Where a pin stands from now on.
   void Add(PinId pin, Point at) { pins_[CellOf(at)].push_back(pin); }
+  /// That it is gone from where it stood.
   void Remove(PinId pin, Point at);
 
   /// The cells that a string passes from now on. O(those of before + those of now).

@@ -34,8 +34,9 @@ using PinsNear = std::function<void(Point, Point, Point, const std::function<voi
 /// The sweep of a string that passes a pin with two neighbours on a given side, held.
 int TurnsOf(Point before, Point at, Point after, Side side);
 
-/// Changes how a vertex counts when the point after it, or before it, is exchanged by less than half a turn.
+/// Changes how a vertex counts when the point after it is exchanged by less than half a turn.
 void ExchangeNext(StringVertex& vertex, Point before, Point old_next, Point next);
+/// Likewise the point before it.
 void ExchangePrevious(StringVertex& vertex, Point after, Point old_previous, Point previous);
 
 /// The vertices between u and w of the string u, X, w pulled taut, that turns to the side `turn` (+1: left) at X, where

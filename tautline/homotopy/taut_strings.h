@@ -51,7 +51,9 @@ class TautStrings {
   /// The same where pins will come to other places than these: `places` says which, roughly, for speed.
   TautStrings(std::span<const Point> pins, std::span<const Point> places);
   ~TautStrings();
+  /// Moves.
   TautStrings(TautStrings&&) noexcept;
+  /// Moves.
   TautStrings& operator=(TautStrings&&) noexcept;
 
   /// A string of length zero from a pin to another at the same place. Until the holder leaves, the pin that the string

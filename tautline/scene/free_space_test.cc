@@ -109,7 +109,7 @@ void ExpectBoundaryAtClearance(const World& world, const FreeSpace& space, doubl
 }
 
 TEST(FreeSpace, AgreesWithDistancesOnRandomWorlds) {
-  const std::int64_t count = ScaledTestCount(35000);
+  const std::int64_t count = ScaledTestCount(12000);
   std::int64_t solved = 0;
   for (std::int64_t seed = 1; seed <= count; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -164,9 +164,9 @@ TEST_P(BoundaryRandom, IsTheSameInAMirror) {
     EXPECT_NEAR(mirrored->area, boundary.area, 1e-9 * boundary.area);
     EXPECT_NEAR(mirrored->length, boundary.length, 1e-9 * boundary.length);
     if (cables.scene.lattice) return;
-    const bool in_a_column = std::any_of(boundary.ring.begin(), boundary.ring.end(), [&](Point p) {
-      return std::any_of(cables.scene.representatives.begin(), cables.scene.representatives.end(),
-                         [p](Point ray) { return ray.x == p.x; });
+    const std::vector<Point>& rays = cables.scene.representatives;
+    const bool in_a_column = std::any_of(boundary.ring.begin(), boundary.ring.end(), [&rays](Point p) {
+      return std::any_of(rays.begin(), rays.end(), [p](Point ray) { return ray.x == p.x; });
     });
     for (std::size_t i = 0; i < boundary.sides.size() && !in_a_column; ++i) {
       Word expected;

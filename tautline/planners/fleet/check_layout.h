@@ -72,8 +72,11 @@ std::vector<EnclosedStart> EnclosedStarts(const FleetGround& ground, RobotId rob
 
 /// One sentence without a full stop that says what is wrong.
 std::string Explain(const FleetGround& ground, const LayoutCrossing& fault);
+/// Likewise.
 std::string Explain(const FleetGround& ground, const SelfLoop& fault);
+/// Likewise.
 std::string Explain(const FleetGround& ground, const EnclosedStart& fault);
+/// Likewise.
 std::string Explain(const FleetGround& ground, const ShortTether& fault);
 
 }  // namespace tautline

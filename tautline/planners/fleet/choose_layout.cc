@@ -11,6 +11,7 @@
 #include "tautline/planners/fleet/path_orders.h"
 #include "tautline/planners/fleet/playback.h"
 #include "tautline/planners/fleet/robot_paths.h"
+#include "tautline/planners/fleet/tracks.h"
 
 namespace tautline {
 namespace {
@@ -103,7 +104,16 @@ class LayoutSearch {
     return true;
   }
 
-  Value Play(const PassingOrders& orders, double time, FleetLayout& layout) const {
+  /// Whether the planner would refuse the motion to a layout, since something stands off a way by no more than
+  /// rounding.
+  bool IsNearMiss(const FleetLayout& layout) const {
+    std::vector<Route> routes;
+    for (const RobotPath& path : paths_.paths()) routes.push_back(path.route);
+    routes.insert(routes.end(), layout.begin(), layout.end());
+    return FindNearMiss(ground_, routes).has_value();
+  }
+
+  Value Play(const PassingOrders& orders, double time, FleetLayout& layout) {
     constexpr std::size_t kUnplayable = std::numeric_limits<std::size_t>::max() - 1;
     const auto [schedule, passings] = paths_.Schedule(orders);
     const auto playback = tautline::Play(ground_, {}, schedule, passings, {.words_up_to = 0, .measured = measured_});
@@ -117,6 +127,10 @@ class LayoutSearch {
     }
     const LayoutFaults faults = CheckLayout(ground_, layout);
     value.faults += faults.crossings.size() + faults.self_loops.size() + faults.starts_enclosed.size();
+    if (value.faults == 0 && IsNearMiss(layout)) {
+      value.faults = 1;
+      near_miss_ = true;
+    }
     return value;
   }
 
@@ -207,6 +221,7 @@ class LayoutSearch {
       result_.explanation = "none of " + std::to_string(result_.played) + " orders of passing at the " + crossings +
                             " makes a layout that is free of faults and within the tethers: raise the budget";
     }
+    if (near_miss_) result_.explanation += "; or move clear what is all but on a path or cable line, which is a fault";
   }
 
   const FleetGround& ground_;
@@ -220,6 +235,7 @@ class LayoutSearch {
   std::int64_t goal_ = 1;
   std::size_t measured_ = 0;  ///< On the way, for the sake of tethers.
   bool proved_ = false;
+  bool near_miss_ = false;  ///< Whether a layout would have done but for IsNearMiss.
 };
 
 }  // namespace

@@ -36,7 +36,8 @@ struct ChooseOptions {
 
 /// Of the layouts that come out when all robots drive at once along their shortest paths and wait for each other as
 /// little as the orders allow, the one with the least travel time, then the least total length of the cables. Each has
-/// passed CheckLayout, and no cable is longer than its tether at any time on the way.
+/// passed CheckLayout, has no near miss (FindNearMiss) that PlanFleet would refuse, and no cable is longer than its
+/// tether at any time on the way.
 ///
 /// Which layouts these are is decided by who passes first where two paths cross, and by nothing else: so the search is
 /// one over orders of passing, each of which is played. Where the orders that are not later than the best one fit into

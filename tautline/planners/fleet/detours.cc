@@ -154,7 +154,7 @@ class DetourSearch {
 
 }  // namespace
 
-Detours LeastDetours(const DetourProblem& problem, DetourOptions options) {
+Detours LeastDetours(const DetourProblem& problem, const DetourOptions& options) {
   return DetourSearch(problem, options).Run();
 }
 

@@ -35,7 +35,7 @@ struct Detours {
 /// and the least choice from those found so far is made by branch and bound in each connected part of the conflicts.
 /// Where that takes more than the options allow, the choice is made greedily and thinned out, and `bound` is what the
 /// search has proved until then. Throws Stopped when `stop` says so.
-Detours LeastDetours(const DetourProblem& problem, DetourOptions options = {});
+Detours LeastDetours(const DetourProblem& problem, const DetourOptions& options = {});
 
 }  // namespace tautline
 

@@ -10,7 +10,7 @@ namespace tautline {
 
 /// A contact of two paths with an order.
 struct OrderedContact {
-  PathContact contact;
+  PathContact contact;   ///< Where they meet, and how.
   bool a_first = false;  ///< Whether a must pass it before b.
 
   /// The robot that passes first.
@@ -27,7 +27,8 @@ struct OrderedContact {
 
 /// Two robots for which the pair rule does not hold, since the layout breaks an assumption of it.
 struct AssumptionFault {
-  RobotId a, b;               ///< Whose cable polygon, and whose start or path.
+  RobotId a;                  ///< Whose cable polygon.
+  RobotId b;                  ///< Whose start or path.
   bool start_inside = false;  ///< The start of b is on the path of a or inside of its cable polygon; otherwise
                               ///< the paths cross and not exactly one of both targets is inside.
   Point at;                   ///< That start, or the crossing.

@@ -28,12 +28,14 @@ struct PathVisit {
 
 /// A connected part that two paths have in common: a point, or a stretch.
 struct PathContact {
-  RobotId a, b;        ///< Whose paths.
+  RobotId a;           ///< Whose path.
+  RobotId b;           ///< Whose other path.
   Point at;            ///< Where b comes to it, metres.
   Point until;         ///< Where b leaves it; `at` unless it is a stretch.
   bool exact = false;  ///< Whether `at` and `until` are exact; otherwise two segments cross there, in their interiors.
   bool against = false;  ///< Whether b runs along the stretch the other way.
-  PathVisit of_a, of_b;  ///< What the paths do there.
+  PathVisit of_a;        ///< What the path of a does there.
+  PathVisit of_b;        ///< What the path of b does there.
 
   /// Whether the paths part to the other side than they came from.
   bool crosses() const { return of_b.from != Side::kNone && of_b.to != Side::kNone && of_b.from != of_b.to; }
@@ -51,7 +53,8 @@ std::vector<PathContact> FindContacts(const std::vector<RobotPath>& paths, const
 struct SpotOnPath {
   PathSpot spot;       ///< Where.
   bool exact = false;  ///< Whether it is at `c`; otherwise where the segment from c to d crosses.
-  Point c, d;          ///< Metres.
+  Point c;             ///< Metres.
+  Point d;             ///< Metres.
 };
 
 /// The order of two places along a path: -1, 0 for one and the same, or +1. Exact.

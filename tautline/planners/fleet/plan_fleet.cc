@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "tautline/base/check.h"
-#include "tautline/geometry/predicates.h"
 #include "tautline/planners/fleet/playback.h"
 #include "tautline/planners/fleet/robot_paths.h"
 #include "tautline/planners/fleet/schedule.h"
+#include "tautline/planners/fleet/tracks.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline {
@@ -49,6 +49,7 @@ class Planner {
     Tell("shortest paths", 0);
     straight_ = ShortestPaths(ground_, layout_);
     for (std::size_t i = 0; i < ground_.size(); ++i) cables_.push_back(CablePath(ground_, layout_, RobotId(i)));
+    RefuseNearMisses();
     Tell("crossings", 0.2);
     const auto contacts = FindContacts(straight_);
     Tell("who passes first", 0.4);
@@ -75,6 +76,18 @@ class Planner {
     std::vector<OrderedContact> orders;
     std::vector<std::size_t> names;  ///< Of the orders, as FleetEvent::passings has them.
   };
+
+  /// Where something is off a path by no more than rounding, no playback could tell on which side it is passed.
+  void RefuseNearMisses() const {
+    std::vector<Route> routes;
+    for (const auto* paths : {&straight_, &cables_}) {
+      for (const RobotPath& path : *paths) routes.push_back(path.route);
+    }
+    const auto miss = FindNearMiss(ground_, routes);
+    if (!miss) return;
+    const RobotId robot(miss->route % ground_.size()), other = ground_.robot_at(miss->node);
+    throw RobotsMet{{robot, other.valid() ? other : robot, ground_.point(miss->node)}};
+  }
 
   void Tell(std::string_view stage, double share) const {
     if (options_.watch && !options_.watch(stage, share)) throw Stopped();
@@ -244,18 +257,21 @@ class Planner {
     }
   }
 
-  /// The way along its cable line, which passes targets that it leads straight over on the side that leaves them where
-  /// their robots come from.
-  RobotPath DetourOf(std::size_t robot, const std::vector<RobotPath>& paths) const {
-    RobotPath path = cables_[robot];
-    for (std::size_t i = 1; i + 1 < path.route.size(); ++i) {
-      RouteStep& step = path.route[i];
-      if (step.side != Side::kNone || ground_.kind(step.node) != FleetNodeKind::kTarget) continue;
-      const Polyline& other = paths[ground_.robot_at(step.node).index()].points;
-      const int side = Orientation(path.points[i - 1], path.points[i + 1], other[other.size() - 2]);
-      step.side = side < 0 ? Side::kRight : Side::kLeft;
+  /// Lets detours pass the targets that they lead straight over on the side that leaves them the cables there.
+  void SettleSides(const std::vector<RobotId>& detours, std::vector<RobotPath>& paths) const {
+    std::vector<std::pair<std::size_t, std::size_t>> open;  // Robot and step.
+    for (const RobotId robot : detours) {
+      const Route& route = paths[robot.index()].route;
+      for (std::size_t k = 1; k + 1 < route.size(); ++k) {
+        const bool is_target = ground_.kind(route[k].node) == FleetNodeKind::kTarget;
+        if (is_target && route[k].side == Side::kNone) open.emplace_back(robot.index(), k);
+      }
     }
-    return path;
+    if (open.empty()) return;
+    std::vector<Route> routes;
+    for (const RobotPath& path : paths) routes.push_back(path.route);
+    routes = WithSides(ground_, routes);
+    for (const auto& [robot, step] : open) paths[robot].route[step].side = routes[robot][step].side;
   }
 
   /// Some robots along their cable lines, the others straight.
@@ -266,7 +282,7 @@ class Planner {
       is_detour[robot.index()] = true;
       drive.paths[robot.index()] = cables_[robot.index()];
     }
-    for (const RobotId robot : detours) drive.paths[robot.index()] = DetourOf(robot.index(), drive.paths);
+    SettleSides(detours, drive.paths);
     for (std::size_t k = 0; k < interactions_.orders.size(); ++k) {
       const OrderedContact& order = interactions_.orders[k];
       if (is_detour[order.contact.a.index()] || is_detour[order.contact.b.index()]) continue;
@@ -429,8 +445,8 @@ std::string Explain(const FleetGround& ground, const FleetPlanFault& fault) {
   }
   const std::string a = ground.robot(fault.robots[0]).name, b = ground.robot(fault.robots[1]).name;
   if (fault.obstruction == FleetPlanObstruction::kRobotsMeet) {
-    return a + " and " + b + " would meet at " + ToText(fault.at) +
-           ": something is all but on the path or cable line of another there; move it clear, or exactly onto it";
+    return (a == b ? a + " would graze the corner at " : a + " and " + b + " would meet at ") + ToText(fault.at) +
+           ": something is all but on a path or cable line there; move it clear, or exactly onto it";
   }
   if (fault.start_inside) {
     return "the start of " + b + " at " + ToText(fault.at) + " is on the path of " + a +

@@ -7,6 +7,8 @@
 
 #include "tautline/base/rng.h"
 #include "tautline/base/test_scale.h"
+#include "tautline/planners/fleet/check_layout.h"
+#include "tautline/planners/fleet/playback.h"
 #include "tautline/planners/fleet/schedule.h"
 
 namespace tautline {
@@ -93,6 +95,35 @@ TEST(PlanFleet, SpeedsInsteadOfWaitsArriveAtTheSameTimes) {
     }
   }
   EXPECT_GE(slower, 1);
+}
+
+TEST(PlanFleet, DetoursOverATargetPassTheCableThatLeadsAlongThem) {
+  // The second leads straight over the target of the first, whose cable comes there along the same line: only where
+  // both leave the pin at (5, 10) tells that the second passes above.
+  const Scene scene = FleetOf({{{3, 6}, {5, 10}, {4, 10}}, {{1, 10}, {5, 10}, {7, 4}}, {{2, 7}, {5, 10}}});
+  const auto ground = FleetGround::Prepare(scene);
+  const auto layout = ReadLayout(*ground);
+  ASSERT_TRUE(CheckLayout(*ground, *layout).none());
+  for (const FleetMode mode : {FleetMode::kStraightConcurrent, FleetMode::kStraightSequential,
+                               FleetMode::kBentConcurrent, FleetMode::kBentSequential}) {
+    const auto plan = PlanOf(scene, {.mode = mode});
+    ASSERT_TRUE(plan);
+    const auto played = Play(*ground, *layout, plan->schedule, PassingsToKeep(*plan));
+    ASSERT_TRUE(played);
+    EXPECT_TRUE(played->matches()) << ToString(mode);
+  }
+}
+
+TEST(PlanFleet, RefusesStartsOffAPathByRounding) {
+  // (0.35, 0.35) is on the way from (0.45, 0.75) to (0.3, 0.15) but for rounding.
+  const auto fleet = [](double beside) {
+    return FleetOf({{{0.45, 0.75}, {0.30000000000000004, 0.15000000000000002}},
+                    {{0.35000000000000003 + beside, 0.35000000000000003}, {0.35000000000000003, 0.85000000000000009}}});
+  };
+  const auto plan = PlanOf(fleet(0));
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().obstruction, FleetPlanObstruction::kRobotsMeet);
+  EXPECT_TRUE(PlanOf(fleet(-1e-9)));
 }
 
 TEST(PlanFleet, RobotsKeepTheGapThatIsAskedForAtCrossings) {

@@ -42,18 +42,6 @@ Point PlaceAt(const Track& track, double along) {
   return Lerp(track.points[k], track.points[k + 1], (along - track.along[k]) / (track.along[k + 1] - track.along[k]));
 }
 
-double SizeOf(const FleetGround& ground) {
-  Box box;
-  double farthest = 0;
-  for (std::size_t k = 0; k < ground.node_count(); ++k) {
-    const Point p = ground.point(FleetNodeId(k));
-    box.Add(p);
-    farthest = std::max({farthest, std::fabs(p.x), std::fabs(p.y)});
-  }
-  // Where coordinates are large, so is their rounding.
-  return std::max(Norm(box.size()), 1e-2 * farthest);
-}
-
 /// The pins of a fleet: the bases, the corners that are at no base, and the robots.
 struct FleetPins {
   explicit FleetPins(const FleetGround& ground) : robots(ground.size()) {
@@ -88,14 +76,32 @@ struct FleetPins {
   std::vector<bool> at_corner;     ///< By RobotId: whether its target is at a corner.
 };
 
-/// The second witness: the words of loops around the cables, carried by the motion.
+/// Whether p may lie in the closed triangle abc; never no where it does. Exact.
+bool MayBeWithin(Point a, Point b, Point c, Point p) {
+  const int ab = Orientation(a, b, p), bc = Orientation(b, c, p), ca = Orientation(c, a, p);
+  return std::min({ab, bc, ca}) >= 0 || std::max({ab, bc, ca}) <= 0;
+}
+
+/// Whether two closed segments meet. Exact.
+bool Meet(Point a, Point b, Point c, Point d) {
+  return CrossProperly(a, b, c, d) || OnSegment(a, b, c) || OnSegment(a, b, d) || OnSegment(c, d, a) ||
+         OnSegment(c, d, b);
+}
+
+/// The second witness: the words of loops around the cables, carried by the motion. Where something is so near to a
+/// base or to a cable line that standing beside the base, or keeping a gap, would decide, it is lost and says nothing.
 class Witness {
  public:
-  Witness(const FleetPins& pins, double size) : pins_(pins), size_(size) {
+  Witness(const FleetPins& pins, double size) : pins_(pins), size_(size), waits_(pins.robots, true) {
     std::vector<Point> punctures = pins.points;
     // The direction is one that nothing else has.
     const Point beside = kBesideBase * size * Point{0.797, 0.604};
     for (std::size_t k = pins.first_robot; k < punctures.size(); ++k) punctures[k] = punctures[k] + beside;
+    for (std::size_t i = 0; i < pins.robots; ++i) {
+      for (std::size_t k = 0; k < pins.first_robot; ++k) {
+        lost_ = lost_ || (k != i && Distance(pins.points[i], pins.points[k]) < 2 * kBesideBase * size);
+      }
+    }
     names_.reserve(punctures.size());
     for (std::size_t k = 0; k < punctures.size(); ++k) names_.push_back("p" + std::to_string(k));
     const Rays rays(punctures, names_);
@@ -109,8 +115,8 @@ class Witness {
   }
 
   void Move(PinId pin, Point to) {
-    if (lost_ || moving_->Move(ObstacleId(pin.index()), to).has_value()) return;
-    lost_ = true;
+    lost_ = lost_ || IsTooNear(pin.index(), to) || !moving_->Move(ObstacleId(pin.index()), to).has_value();
+    waits_[pin.index() - pins_.first_robot] = false;
   }
 
   /// Whether the cables that may be compared are of the classes of their cable lines.
@@ -127,7 +133,7 @@ class Witness {
       }
       const auto carried = moving_->Carry(words_[i], 0, 0);
       if (!carried) return std::nullopt;
-      const auto gap = GapAround(ground, route, lines[i]);
+      const auto gap = GapAround(i, lines[i]);
       if (!gap) return std::nullopt;
       const Word meant = rays.WordOf(LoopAround(lines[i], std::vector<Side>(lines[i].size()), *gap));
       agree = agree && RingWord(meant) == RingWord(*carried);
@@ -136,12 +142,31 @@ class Witness {
   }
 
  private:
-  /// How far a loop keeps off a line that passes its nodes at a distance: not as far as to hold them; nothing where
-  /// rounding would decide.
-  std::optional<double> GapAround(const FleetGround& ground, const Route& route, const Polyline& line) const {
+  /// Whether a robot's way, or that of one that waits, would lead past something on another side if the one that waits
+  /// stood on its base rather than beside it.
+  bool IsTooNear(std::size_t moved, Point to) const {
+    const auto places = moving_->punctures();
+    for (std::size_t i = 0; i < pins_.robots; ++i) {
+      const std::size_t robot = pins_.first_robot + i;
+      if (!waits_[i]) continue;
+      if (robot != moved && Meet(places[moved], to, places[i], places[robot])) return true;
+      for (std::size_t k = 0; robot == moved && k < places.size(); ++k) {
+        if (k != i && k != robot && MayBeWithin(places[i], places[robot], to, places[k])) return true;
+      }
+    }
+    return false;
+  }
+
+  /// How far the loop around a cable line may keep off it without holding anything else; nothing where rounding would
+  /// decide.
+  std::optional<double> GapAround(std::size_t cable, const Polyline& line) const {
+    const auto places = moving_->punctures();
     double gap = kLoopGap * size_;
-    for (std::size_t k = 1; k + 1 < route.size(); ++k) {
-      gap = std::min(gap, 0.25 * Distance(line[k], ground.point(route[k].node)));
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      for (std::size_t s = 1; s < line.size(); ++s) {
+        const bool is_end = (k == cable && s == 1) || (k == pins_.first_robot + cable && s + 1 == line.size());
+        if (!is_end) gap = std::min(gap, 0.25 * DistanceToSegment(places[k], line[s - 1], line[s]));
+      }
     }
     return gap >= kLeastLoopGap * size_ ? std::optional(gap) : std::nullopt;
   }
@@ -151,6 +176,7 @@ class Witness {
   std::vector<std::string> names_;
   std::vector<Word> words_;
   std::optional<MovingPunctures> moving_;
+  std::vector<bool> waits_;  ///< By RobotId: whether it stands beside its base.
   bool lost_ = false;
 };
 
@@ -168,12 +194,13 @@ class Stage {
       : ground_(ground),
         schedule_(schedule),
         pins_(ground),
-        size_(SizeOf(ground)),
+        size_(SizeOfGround(ground)),
         strings_(pins_.points, NodesOf(ground)) {
     for (std::size_t i = 0; i < ground.size(); ++i) strings_.Tie(PinId(i), pins_.robot(RobotId(i)));
     std::vector<Route> routes;
     for (const RobotSchedule& robot : schedule) routes.push_back(robot.path.route);
     lines_ = SideBySide(ground, routes);
+    tracks_.reserve(lines_.size());
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       Polyline& line = lines_[i];
       if (pins_.at_corner[i]) line.back() = Lerp(line.back(), line[line.size() - 2], kBeforeCorner);

@@ -57,7 +57,8 @@ struct Playback {
 
 /// Robots that would meet at a point at one time, with no order between them.
 struct PlaybackCollision {
-  RobotId a, b;  ///< Who.
+  RobotId a;     ///< Who.
+  RobotId b;     ///< And with whom.
   Point at;      ///< Where, metres.
   double t = 0;  ///< When, s.
 };

@@ -20,8 +20,8 @@ struct TrackCrossing {
 
 /// A track and the lengths of the path that it stands for: one of both per point.
 struct Track {
-  std::span<const Point> points;
-  std::span<const double> along;
+  std::span<const Point> points;  ///< Where it turns, metres.
+  std::span<const double> along;  ///< How far along the path each is, metres.
 };
 
 /// All points where tracks of different robots cross, and those where one ends, or begins, on another. That they meet

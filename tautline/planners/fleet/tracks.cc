@@ -14,6 +14,14 @@ namespace {
 
 /// Of the size of the fleet's ground: far above rounding, far below what anything is apart.
 constexpr double kTinySpacing = 1e-7;
+/// Share of the coordinates that counts as size where a ground is far from the origin: shares of it that are told apart
+/// from each other, of 1e-12 and more, are above the rounding of coordinates then.
+constexpr double kFarAway = 1e-2;
+/// The least spacing that can be told from rounding, as a share of the ground's size.
+constexpr double kLeastSpacing = 2e-11;
+/// Places on a segment are rounded by less than this share of the ground's size: some units in the last place of
+/// coordinates, even far away.
+constexpr double kRounding = 1e-13;
 /// How many spacings farther off a track keeps from the tip of a sharp turn, at most.
 constexpr double kLongestMitre = 3;
 
@@ -38,6 +46,19 @@ class Weaver {
     }
     TakeSides();
     return routes_;
+  }
+
+  std::optional<NearMiss> FindNearMiss() {
+    Settle();
+    FindReaches();
+    const double size = SizeOfGround(ground_), least = Room() * kLeastSpacing * size;
+    std::optional<NearMiss> found;
+    ForEachBeside([&] { return least; },
+                  [&](const Beside& beside) {
+                    const double reach = beside.is_laid_off ? least : beside.is_rounded ? kRounding * size : 0;
+                    if (!found && beside.distance < reach) found = {beside.route, beside.node};
+                  });
+    return found;
   }
 
   std::vector<Polyline> Weave(const TrackOptions& options) {
@@ -254,32 +275,58 @@ class Weaver {
     }
   }
 
-  /// A spacing at which no track comes near a node that its route does not pass.
-  double TinySpacing() const {
+  /// How far off a leg a node may be, in spacings, without being in the way.
+  double Room() const { return 4 * most_; }
+
+  /// A node beside a leg of a route.
+  struct Beside {
+    std::size_t route = 0;
+    FleetNodeId node;
+    double distance = 0;  ///< Metres.
+    /// Whether tracks are laid off one of the two: off the ends of the leg, or off the node.
+    bool is_laid_off = false;
+    /// Whether a robot that stops on the leg, or on its way from or to the node, may stand off its line by rounding.
+    bool is_rounded = false;
+  };
+
+  /// Calls `visit(beside)` for every leg of a route and every node nearer to it than `reach()` but not on it.
+  template <class Reach, class Visit>
+  void ForEachBeside(Reach reach, Visit visit) const {
     std::vector<BoxIndex::Segment> nodes;
-    Box box;
     for (std::size_t k = 0; k < ground_.node_count(); ++k) {
       const Point p = ground_.point(FleetNodeId(k));
       nodes.emplace_back(p, p);
-      box.Add(p);
     }
-    const double room = 4 * most_;
-    double spacing = kTinySpacing * Norm(box.size());
     const BoxIndex index(nodes);
     for (std::size_t r = 0; r < routes_.size(); ++r) {
-      const Route& route = routes_[r];
-      for (std::size_t i = 1; i < route.size(); ++i) {
-        const Point a = At(route[i - 1]), b = At(route[i]);
+      for (std::size_t i = 1; i < routes_[r].size(); ++i) {
+        const Point a = At(routes_[r][i - 1]), b = At(routes_[r][i]);
         const bool is_moved = reaches_[r][i - 1] > 0 || reaches_[r][i] > 0;
-        if (is_moved) spacing = std::min(spacing, Distance(a, b) / room);
-        index.ForEachAlong(a, b, room * spacing, [&](std::size_t k) {
+        const bool is_slanting = a.x != b.x && a.y != b.y;
+        index.ForEachAlong(a, b, reach(), [&](std::size_t k) {
           const Point p = nodes[k].first;
-          // Where nothing is moved, the node and the segment keep their sides however near they are.
-          if (OnSegment(a, b, p) || !(is_moved || passages_.count(FleetNodeId(k)) > 0)) return;
-          spacing = std::min(spacing, DistanceToSegment(p, a, b) / room);
+          const FleetNodeId node(k);
+          if (OnSegment(a, b, p)) return;
+          visit(Beside{r, node, DistanceToSegment(p, a, b), is_moved || passages_.count(node) > 0,
+                       is_slanting || ground_.kind(node) != FleetNodeKind::kCorner});
         });
       }
     }
+  }
+
+  /// A spacing at which no track comes near a node that its route does not pass.
+  double TinySpacing() const {
+    double spacing = kTinySpacing * SizeOfGround(ground_);
+    for (std::size_t r = 0; r < routes_.size(); ++r) {
+      for (std::size_t i = 1; i < routes_[r].size(); ++i) {
+        if (reaches_[r][i - 1] <= 0 && reaches_[r][i] <= 0) continue;
+        spacing = std::min(spacing, Distance(At(routes_[r][i - 1]), At(routes_[r][i])) / Room());
+      }
+    }
+    ForEachBeside([&] { return Room() * spacing; },
+                  [&](const Beside& beside) {
+                    if (beside.is_laid_off) spacing = std::min(spacing, beside.distance / Room());
+                  });
     return spacing;
   }
 
@@ -292,6 +339,21 @@ class Weaver {
 };
 
 }  // namespace
+
+double SizeOfGround(const FleetGround& ground) {
+  Box box;
+  double farthest = 0;
+  for (std::size_t k = 0; k < ground.node_count(); ++k) {
+    const Point p = ground.point(FleetNodeId(k));
+    box.Add(p);
+    farthest = std::max({farthest, std::fabs(p.x), std::fabs(p.y)});
+  }
+  return std::max(Norm(box.size()), kFarAway * farthest);
+}
+
+std::optional<NearMiss> FindNearMiss(const FleetGround& ground, const std::vector<Route>& routes) {
+  return Weaver(ground, routes).FindNearMiss();
+}
 
 std::vector<Route> WithSides(const FleetGround& ground, const std::vector<Route>& routes) {
   return Weaver(ground, routes).Settle();

@@ -9,21 +9,20 @@
 
 namespace tautline {
 
-/// An array in pieces of equal size: growing neither moves what is there nor needs room twice.
+/// An array in pieces of 16 KiB: growing neither moves what is there nor needs room twice.
 template <class T>
 class ChunkedArray {
  public:
-  static constexpr std::size_t kChunk = std::size_t{1} << 12;  ///< Elements in a piece.
+  static constexpr std::size_t kChunk = (std::size_t{1} << 14) / sizeof(T);  ///< Elements in a piece.
 
-  /// Makes room for `count` elements that lie one behind the other and returns the position of the first; they have
-  /// the value `value`. Requires count <= kChunk.
-  std::size_t Grow(std::size_t count, const T& value) {
+  /// Makes room for `count` elements that lie one behind the other and returns the position of the first. Numbers are
+  /// not set: the memory may be touched first by the thread that sets them. Requires count <= kChunk.
+  std::size_t Grow(std::size_t count) {
     if (chunks_.empty() || used_ + count > kChunk) {
-      chunks_.push_back(std::make_unique<T[]>(kChunk));
+      chunks_.emplace_back(new T[kChunk]);
       used_ = 0;
     }
     const std::size_t first = (chunks_.size() - 1) * kChunk + used_;
-    for (std::size_t i = 0; i < count; ++i) chunks_.back()[used_ + i] = value;
     used_ += count;
     return first;
   }

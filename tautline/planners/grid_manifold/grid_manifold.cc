@@ -9,15 +9,16 @@
 
 namespace tautline {
 
-GridManifold::GridManifold(CellGround ground, Connectivity connectivity)
-    : ground_(std::move(ground)), atlas_(ground_, connectivity) {}
+GridManifold::GridManifold(CellGround ground, const ManifoldOptions& options)
+    : ground_(std::move(ground)),
+      base_(options.base),
+      length_m_(options.length_m),
+      limit_(LimitOf(length_m_ / ground_.cell_m())),
+      atlas_(ground_, options.connectivity, {base_, limit_}) {}
 
 GridManifold GridManifold::Build(CellGround ground, const ManifoldOptions& options) {
   TAUTLINE_CHECK(ground.IsFree(options.base) && options.length_m >= 0);
-  GridManifold manifold(std::move(ground), options.connectivity);
-  manifold.base_ = options.base;
-  manifold.length_m_ = options.length_m;
-  manifold.limit_ = LimitOf(options.length_m / manifold.ground_.cell_m());
+  GridManifold manifold(std::move(ground), options);
   ManifoldBuilder(manifold, options).Build();
   manifold.IndexPages();
   return manifold;
@@ -39,10 +40,11 @@ Word GridManifold::WordOf(ManifoldVertex v) const {
 
 std::vector<ManifoldVertex> GridManifold::VerticesAt(GridCell cell) const {
   if (!ground_.IsFree(cell)) return {};
-  const PatchAtlas::Place place = atlas_.PlaceOf(cell);
+  const auto place = atlas_.FindPlace(cell);
+  if (!place) return {};
   std::vector<ManifoldVertex> vertices;
-  for (std::uint32_t i = first_of_patch_[place.patch]; i < first_of_patch_[place.patch + 1]; ++i) {
-    const ManifoldVertex v{pages_of_patch_[i], place.cell};
+  for (std::uint32_t i = first_of_patch_[place->patch]; i < first_of_patch_[place->patch + 1]; ++i) {
+    const ManifoldVertex v{pages_of_patch_[i], place->cell};
     if (Has(v)) vertices.push_back(v);
   }
   std::sort(vertices.begin(), vertices.end(), [this](ManifoldVertex a, ManifoldVertex b) {
@@ -58,13 +60,9 @@ std::optional<ManifoldVertex> GridManifold::Find(GridCell cell, const Word& word
   return std::nullopt;
 }
 
-std::optional<ManifoldVertex> GridManifold::Step(ManifoldVertex v, int direction) const {
-  const auto d = static_cast<std::size_t>(direction);
+/// A step that a link stands for, if any does.
+std::optional<ManifoldVertex> GridManifold::StepOut(ManifoldVertex v, int direction) const {
   const TileMask cell = TileMask{1} << v.cell;
-  if ((atlas_.shape(patch(v.page)).moves[d] & cell) != 0) {
-    const ManifoldVertex to{v.page, v.cell + kTileSide * kStepRows[d] + kStepColumns[d]};
-    return Has(to) ? std::optional(to) : std::nullopt;
-  }
   const auto links = atlas_.links(patch(v.page));
   for (std::size_t i = 0; i < links.size(); ++i) {
     for (const PatchAtlas::Crossing& crossing : atlas_.crossings(links[i])) {

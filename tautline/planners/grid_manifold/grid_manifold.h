@@ -61,7 +61,7 @@ struct ManifoldCounts {
 
 /// All (cell, word) whose shortest way from the base is no longer than the tether: one vertex for each homotopy class
 /// of each cell. Two vertices are joined when a step leads from one to the other. Immutable; safe to read from several
-/// threads. About 5 to 10 bytes a vertex.
+/// threads. About 6 to 15 bytes a vertex.
 class GridManifold {
  public:
   /// Builds the manifold from the base outwards. Where it stops early, it has all vertices up to some distance and none
@@ -113,7 +113,12 @@ class GridManifold {
   /// The vertex that a word leads to, or nothing. O(letters + vertices of the cell).
   std::optional<ManifoldVertex> Find(GridCell cell, const Word& word) const;
   /// The vertex that a step leads to, or nothing. Requires Has(v). O(1).
-  std::optional<ManifoldVertex> Step(ManifoldVertex v, int direction) const;
+  std::optional<ManifoldVertex> Step(ManifoldVertex v, int direction) const {
+    const PatchAtlas::Shape& shape = atlas_.shape(patch(v.page));
+    if ((shape.moves[static_cast<std::size_t>(direction)] >> v.cell & 1) == 0) return StepOut(v, direction);
+    const ManifoldVertex to{v.page, v.cell + OffsetOf(static_cast<std::size_t>(direction))};
+    return Has(to) ? std::optional(to) : std::nullopt;
+  }
 
   /// The page that a link of a page leads to, or kNoPage.
   std::uint32_t linked(std::uint32_t page, std::size_t link) const { return links_[pages_[page].first_link + link]; }
@@ -137,18 +142,19 @@ class GridManifold {
     std::uint32_t first_value = 0;
     std::uint32_t first_link = 0;
     LatticeDistance key = kUnreached;  ///< While building: the least distance that it was given and has not handed on.
-    LatticeDistance queued = kUnreached;  ///< While building: the key that it waits with.
+    LatticeDistance queued = kUnreached;  ///< While building: the key that it was put into a bucket with.
     TileMask cells = 0;                   ///< While building: cells whose neighbours are to hear of them.
   };
 
-  GridManifold(CellGround ground, Connectivity connectivity);
+  GridManifold(CellGround ground, const ManifoldOptions& options);
   void IndexPages();
+  std::optional<ManifoldVertex> StepOut(ManifoldVertex v, int direction) const;
 
   CellGround ground_;
-  PatchAtlas atlas_;
   GridCell base_;
   double length_m_ = 0;
   LatticeDistance limit_ = 0;
+  PatchAtlas atlas_;
   LatticeDistance complete_up_to_ = 0;
   ManifoldStop stop_ = ManifoldStop::kNone;
 
@@ -157,7 +163,7 @@ class GridManifold {
   ChunkedArray<Page> pages_;
   ChunkedArray<LatticeDistance> values_;
   ChunkedArray<std::uint32_t> links_;
-  std::vector<std::uint32_t> page_table_;  ///< Open addressing over (patch, word).
+  std::vector<std::uint32_t> page_table_;  ///< While building: open addressing over (patch, word).
   std::vector<std::uint32_t> first_of_patch_, pages_of_patch_;
 };
 

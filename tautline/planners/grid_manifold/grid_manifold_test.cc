@@ -3,10 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string_view>
 #include <thread>
+#include <utility>
 
 #include "tautline/base/test_scale.h"
 #include "tautline/planners/grid_manifold/literal_manifold.h"
+#include "tautline/planners/grid_manifold/manifold_file.h"
+#include "tautline/planners/grid_manifold/manifold_goal_field.h"
 #include "tautline/planners/grid_manifold/manifold_oracle.h"
 
 namespace tautline {
@@ -143,6 +147,39 @@ TEST(GridManifold, IsTheSameForAnyNumberOfThreads) {
     }
     EXPECT_EQ(many.Count().edges, one.Count().edges);
   }
+}
+
+/// FNV-1a.
+std::uint64_t HashOf(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
+  return hash;
+}
+
+/// What a manifold is as a file, and the distances to a goal on it.
+std::pair<std::uint64_t, std::uint64_t> HashesOf(const ManifoldOptions& options) {
+  const GridManifold manifold = GridManifold::Build(WideGround(), options);
+  const ManifoldGoalField field(manifold, {100, 80});
+  std::string distances;
+  for (std::uint32_t page = 0; page < manifold.pages(); ++page) {
+    for (int cell = 0; cell < 64; ++cell) {
+      if (manifold.Has({page, cell})) distances += std::to_string(field.distance({page, cell})) + " ";
+    }
+  }
+  return {HashOf(ManifoldFile::Write(manifold, 0)), HashOf(distances)};
+}
+
+/// A change that changes these numbers changes what files of manifolds mean: their version must change with them.
+TEST(GridManifold, IsTheSameToTheBitAsEver) {
+  const auto expect = [](Connectivity connectivity, std::pair<std::uint64_t, std::uint64_t> golden) {
+    ManifoldOptions options{.base = {60, 70}, .length_m = 130, .connectivity = connectivity};
+    for (const std::size_t threads : {0U, 0U, 1U, 2U, 5U, 2U}) {
+      options.parallel = threads > 0 ? Threads(threads) : ParallelRanges();
+      EXPECT_EQ(HashesOf(options), golden) << threads << " threads";
+    }
+  };
+  expect(Connectivity::kFour, {8181716681449764267U, 10883065048094938875U});
+  expect(Connectivity::kEight, {13315603337413731346U, 10371406332699898531U});
 }
 
 TEST(GridManifold, StopsAtItsBudgetWithAllThatIsNear) {

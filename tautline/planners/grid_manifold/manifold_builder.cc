@@ -14,6 +14,12 @@ constexpr std::uint32_t kNoPage = GridManifold::kNoPage;
 /// Pages; fewer are done before another thread wakes up.
 constexpr std::size_t kWorthwhile = 64;
 
+/// Pages of a round: as many as stay in a processor's own memory until they hand on.
+constexpr std::size_t kBatch = 1024;
+
+/// Distances in a line of memory.
+constexpr std::size_t kLine = 16;
+
 /// The bit of a link; the last one stands for all further links, of patches around many islands.
 std::uint64_t BitOf(std::size_t link) { return std::uint64_t{1} << std::min<std::size_t>(link, 63); }
 
@@ -21,7 +27,10 @@ std::uint64_t BitOf(std::size_t link) { return std::uint64_t{1} << std::min<std:
 
 ManifoldBuilder::ManifoldBuilder(GridManifold& manifold, const ManifoldOptions& options)
     : m_(manifold), options_(options) {
-  m_.page_table_.assign(64, kNoPage);
+  // Most patches within reach get a page, in open ground hardly more than one.
+  std::size_t slots = 64;
+  while (slots < 2 * m_.atlas_.size()) slots *= 2;
+  m_.page_table_.assign(slots, kNoPage);
   buckets_.resize(static_cast<std::size_t>(m_.limit_ / kBucket) + 1);
 }
 
@@ -29,9 +38,12 @@ void ManifoldBuilder::Build() {
   AddBase();
   m_.complete_up_to_ = m_.limit_ + 1;
   for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) {
-    TakeBatch(bucket);
-    if (batch_.empty()) continue;
-    RunBatch();
+    if (buckets_[bucket].empty()) continue;
+    while (!buckets_[bucket].empty()) {
+      TakeBatch(bucket);
+      RunBatch();
+    }
+    std::vector<PageNumber>().swap(buckets_[bucket]);
     if (MustStop(bucket)) break;
   }
   Finish();
@@ -52,10 +64,11 @@ void ManifoldBuilder::AddBase() {
     word = m_.words_.Append(word, words.last(w) ^ 1);
   }
   Page& page = m_.pages_[Obtain(place.patch, word)];
+  ClearPages(0, 1);
   m_.values_[page.first_value + m_.atlas_.shape(place.patch).position[static_cast<std::size_t>(place.cell)]] = 0;
   page.cells = TileMask{1} << place.cell;
-  page.key = 0;
-  Queue(0);
+  page.key = page.queued = 0;
+  buckets_[0].push_back(0);
 }
 
 void ManifoldBuilder::InRanges(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) const {
@@ -68,72 +81,96 @@ void ManifoldBuilder::InThreads(std::size_t count, const std::function<void(std:
   work(0, count);
 }
 
-/// The pages whose turn it is. Those that came to wait elsewhere with a lower key are left out.
+/// Pages whose turn it is, the last that came first. Those that came to wait elsewhere with a lower key are left out.
 void ManifoldBuilder::TakeBatch(std::size_t bucket) {
   batch_.clear();
-  for (const std::uint32_t number : buckets_[bucket]) {
-    Page& page = m_.pages_[number];
+  auto& waiting = buckets_[bucket];
+  for (; !waiting.empty() && batch_.size() < kBatch; waiting.pop_back()) {
+    Page& page = m_.pages_[waiting.back()];
     if (static_cast<std::size_t>(page.key / kBucket) != bucket) continue;
-    page.key = kUnreached;
-    batch_.push_back(number);
+    page.key = page.queued = kUnreached;
+    batch_.push_back({.page = waiting.back()});
   }
-  std::vector<std::uint32_t>().swap(buckets_[bucket]);
 }
 
 void ManifoldBuilder::RunBatch() {
-  open_links_.assign(batch_.size(), 0);
-  lowered_links_.assign(batch_.size(), 0);
   InRanges(batch_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) Sweep(i);
-  });
-  for (std::size_t i = 0; i < batch_.size(); ++i) MakeLinks(i);
-  // In the same order with one thread as with many: what a page hands on depends on what it was handed just before.
-  if (batch_.size() >= kWorthwhile) {
-    HandOnInColours();
-  } else {
-    for (std::size_t i = 0; i < batch_.size(); ++i) {
-      if (i + 2 < batch_.size()) FetchBeside(batch_[i + 2]);
-      HandOn(i);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + 4 < end) FetchValues(batch_[i + 4].page);
+      Sweep(batch_[i]);
     }
+  });
+  const std::size_t known = m_.page_count_;
+  for (const Turn& turn : batch_) MakeLinks(turn);
+  InRanges(m_.page_count_ - known, [&](std::size_t begin, std::size_t end) { ClearPages(known + begin, known + end); });
+  // In the same order with one thread as with many: what a page hands on depends on what it was handed just before.
+  if (batch_.size() >= kWorthwhile) return HandOnInColours();
+  for (std::size_t i = 0; i < batch_.size(); ++i) {
+    if (i + 2 < batch_.size()) FetchBeside(batch_[i + 2].page);
+    HandOn(batch_[i], waiting_[0]);
   }
-  for (std::size_t i = 0; i < batch_.size(); ++i) Enqueue(i);
+  LetWait(waiting_[0]);
+  waiting_[0].clear();
 }
 
 void ManifoldBuilder::HandOnInColours() {
-  for (auto& share : shares_) share.clear();
-  for (std::uint32_t i = 0; i < batch_.size(); ++i) shares_[ShareOf(m_.pages_[batch_[i]])].push_back(i);
+  SortByShare();
   for (std::size_t colour = 0; colour < kColours; ++colour) {
     InThreads(kShares, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t share = begin; share < end; ++share) {
-        const auto& places = shares_[colour * kShares + share];
-        for (std::size_t i = 0; i < places.size(); ++i) {
-          if (i + 2 < places.size()) FetchBeside(batch_[places[i + 2]]);
-          HandOn(places[i]);
-        }
+      const std::size_t last = first_of_share_[colour * kShares + end];
+      for (std::size_t i = first_of_share_[colour * kShares + begin]; i < last; ++i) {
+        if (i + 8 < last) FetchPagesBeside(batch_[order_[i + 8]].page);
+        if (i + 4 < last) FetchBeside(batch_[order_[i + 4]].page);
+        HandOn(batch_[order_[i]], waiting_[batch_[order_[i]].share]);
       }
     });
   }
+  for (auto& waiting : waiting_) {
+    LetWait(waiting);
+    waiting.clear();
+  }
 }
 
-std::size_t ManifoldBuilder::ShareOf(const Page& page) const {
+/// Lists the batch by share, in each in the order of the batch.
+void ManifoldBuilder::SortByShare() {
+  first_of_share_.fill(0);
+  for (const Turn& turn : batch_) ++first_of_share_[turn.share + 1];
+  for (std::size_t i = 1; i < first_of_share_.size(); ++i) first_of_share_[i] += first_of_share_[i - 1];
+  auto next = first_of_share_;
+  order_.resize(batch_.size());
+  for (std::uint32_t i = 0; i < batch_.size(); ++i) order_[next[batch_[i].share]++] = i;
+}
+
+std::uint32_t ManifoldBuilder::ShareOf(const Page& page) const {
   const GridCell corner = m_.atlas_.CellOf({page.patch, 0});
-  const auto column = static_cast<std::size_t>(corner.column / kTileSide),
-             row = static_cast<std::size_t>(corner.row / kTileSide);
-  return (column % 3 + 3 * (row % 3)) * kShares + (column / 3 + 7 * (row / 3)) % kShares;
+  const auto column = static_cast<std::uint32_t>(corner.column / (2 * kTileSide)),
+             row = static_cast<std::uint32_t>(corner.row / (2 * kTileSide));
+  return (column % 2 + 2 * (row % 2)) * kShares + (column / 2 + 7 * (row / 2)) % kShares;
 }
 
-void ManifoldBuilder::Sweep(std::size_t at) {
-  Page& page = m_.pages_[batch_[at]];
+void ManifoldBuilder::Sweep(Turn& turn) {
+  Page& page = m_.pages_[turn.page];
   const PatchAtlas::Shape& shape = m_.atlas_.shape(page.patch);
   LatticeDistance* values = &m_.values_[page.first_value];
   TileDistances tile;
   LoadTile(shape, values, tile);
-  page.cells |= RelaxTile(shape.moves, shape.open, m_.atlas_.connectivity() == Connectivity::kEight, tile);
+  const bool diagonal = m_.atlas_.connectivity() == Connectivity::kEight;
+  page.cells |= RelaxTile(shape.moves, shape.open, diagonal, tile) & shape.cells;
   for (std::size_t i = 0; i < tile.at.size(); ++i) tile.at[i] = tile.at[i] > m_.limit_ ? kUnreached : tile.at[i];
   StoreTile(shape, tile, values);
+  turn.share = ShareOf(page);
+  FollowLinks(turn);
+}
+
+/// Finds the pages that the page can now hand distances to, as far as there are any.
+void ManifoldBuilder::FollowLinks(Turn& turn) {
+  const Page& page = m_.pages_[turn.page];
   const auto links = m_.atlas_.links(page.patch);
   for (std::size_t i = 0; i < links.size(); ++i) {
-    if (m_.links_[page.first_link + i] == kNoPage && CanCross(page, links[i])) open_links_[at] |= BitOf(i);
+    PageNumber& to = m_.links_[page.first_link + i];
+    if (to != kNoPage || !CanCross(page, links[i])) continue;
+    to = Find(PatchAtlas::LinkedTo(page.patch, links[i]), FindAcross(page.word, links[i].word));
+    (to == kNoPage ? turn.open_links : turn.fresh_links) |= BitOf(i);
   }
 }
 
@@ -150,108 +187,151 @@ bool ManifoldBuilder::CanCross(const Page& page, const PatchAtlas::Link& link) c
   return false;
 }
 
-void ManifoldBuilder::MakeLinks(std::size_t at) {
-  if (open_links_[at] == 0) return;
-  const std::uint32_t number = batch_[at];
-  const auto links = m_.atlas_.links(m_.pages_[number].patch);
+void ManifoldBuilder::MakeLinks(const Turn& turn) {
+  if (turn.open_links == 0) return;
+  const auto links = m_.atlas_.links(m_.pages_[turn.page].patch);
   for (std::size_t i = 0; i < links.size(); ++i) {
-    const Page& page = m_.pages_[number];
-    if ((open_links_[at] & BitOf(i)) == 0 || m_.links_[page.first_link + i] != kNoPage) continue;
+    const Page& page = m_.pages_[turn.page];
+    if ((turn.open_links & BitOf(i)) == 0 || m_.links_[page.first_link + i] != kNoPage) continue;
     if (i >= 63 && !CanCross(page, links[i])) continue;
-    const std::uint32_t to = Obtain(links[i].to, WordAcross(page.word, links[i]));
+    const PageNumber to = Obtain(PatchAtlas::LinkedTo(page.patch, links[i]), WordAcross(page.word, links[i].word));
     m_.links_[page.first_link + i] = to;
-    m_.links_[m_.pages_[to].first_link + links[i].back] = number;
+    m_.links_[m_.pages_[to].first_link + links[i].back] = turn.page;
   }
 }
 
-WordTrie::WordNumber ManifoldBuilder::WordAcross(WordTrie::WordNumber word, const PatchAtlas::Link& link) {
-  if (link.word == WordTrie::kEmpty) return word;
-  for (const TrieLetter letter : m_.atlas_.words().LettersOf(link.word)) word = m_.words_.Append(word, letter);
-  return word;
+WordTrie::WordNumber ManifoldBuilder::WordAcross(WordTrie::WordNumber word, WordTrie::WordNumber change) {
+  if (change == WordTrie::kEmpty) return word;
+  const WordTrie& words = m_.atlas_.words();
+  return m_.words_.Append(WordAcross(word, words.parent(change)), words.last(change));
 }
 
-/// Asks for the memory that handing on will write to, which lies all over.
-void ManifoldBuilder::FetchBeside(std::uint32_t number) const {
-  constexpr std::size_t kLine = 16;  // Distances.
+/// The same where it is known, or WordTrie::kMissing.
+WordTrie::WordNumber ManifoldBuilder::FindAcross(WordTrie::WordNumber word, WordTrie::WordNumber change) const {
+  if (change == WordTrie::kEmpty) return word;
+  const WordTrie& words = m_.atlas_.words();
+  const WordTrie::WordNumber before = FindAcross(word, words.parent(change));
+  return before == WordTrie::kMissing ? before : m_.words_.Find(before, words.last(change));
+}
+
+/// Nothing is reached yet in the pages from `first` to before `last`.
+void ManifoldBuilder::ClearPages(std::size_t first, std::size_t last) {
+  for (std::size_t page = first; page < last; ++page) {
+    LatticeDistance* values = &m_.values_[m_.pages_[page].first_value];
+    std::fill(values, values + m_.atlas_.shape(m_.pages_[page].patch).count, kUnreached);
+  }
+}
+
+/// Asks for the distances of a page.
+void ManifoldBuilder::FetchValues(PageNumber number) const {
+  const Page& page = m_.pages_[number];
+  const std::size_t count = m_.atlas_.shape(page.patch).count;
+  for (std::size_t at = 0; at < count; at += kLine) __builtin_prefetch(&m_.values_[page.first_value + at], 1);
+}
+
+void ManifoldBuilder::FetchPagesBeside(PageNumber number) const {
   const Page& page = m_.pages_[number];
   const std::size_t links = m_.atlas_.links(page.patch).size();
   for (std::size_t i = 0; i < links; ++i) {
-    const std::uint32_t to = m_.links_[page.first_link + i];
-    if (to == kNoPage) continue;
-    const Page& other = m_.pages_[to];
-    const std::size_t count = m_.atlas_.shape(other.patch).count;
-    for (std::size_t at = 0; at < count; at += kLine) __builtin_prefetch(&m_.values_[other.first_value + at], 1);
+    const PageNumber to = m_.links_[page.first_link + i];
+    if (to != kNoPage) __builtin_prefetch(&m_.pages_[to], 1);
   }
 }
 
-/// Offers the changed distances of a page to the pages beside it.
-void ManifoldBuilder::HandOn(std::size_t place) {
-  Page& page = m_.pages_[batch_[place]];
-  const PatchAtlas::Shape& shape = m_.atlas_.shape(page.patch);
-  const LatticeDistance* values = &m_.values_[page.first_value];
+/// Asks for the memory that handing on will write to, which lies all over.
+void ManifoldBuilder::FetchBeside(PageNumber number) const {
+  const Page& page = m_.pages_[number];
   const auto links = m_.atlas_.links(page.patch);
   for (std::size_t i = 0; i < links.size(); ++i) {
-    const std::uint32_t to = m_.links_[page.first_link + i];
+    const PageNumber to = m_.links_[page.first_link + i];
+    if (to == kNoPage) continue;
+    const Page& other = m_.pages_[to];
+    const PatchAtlas::Crossing& crossing = m_.atlas_.crossings(links[i])[0];
+    const TileMask cells = Moved(crossing.from, crossing.offset);
+    const PatchAtlas::Shape& shape = m_.atlas_.shape(other.patch);
+    const std::size_t first = shape.position[static_cast<std::size_t>(__builtin_ctzll(cells))];
+    const std::size_t last = shape.position[static_cast<std::size_t>(63 - __builtin_clzll(cells))];
+    for (std::size_t at = first; at < last; at += kLine) __builtin_prefetch(&m_.values_[other.first_value + at], 1);
+    __builtin_prefetch(&m_.values_[other.first_value + last], 1);
+  }
+}
+
+/// Offers the changed distances of a page to the pages beside it, and lists those that are to wait for an earlier turn.
+void ManifoldBuilder::HandOn(const Turn& turn, std::vector<Waiting>& waiting) {
+  Page& page = m_.pages_[turn.page];
+  const auto links = m_.atlas_.links(page.patch);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const PageNumber to = m_.links_[page.first_link + i];
     if (to == kNoPage) continue;
     Page& other = m_.pages_[to];
-    const PatchAtlas::Shape& other_shape = m_.atlas_.shape(other.patch);
-    LatticeDistance* others = &m_.values_[other.first_value];
-    for (const PatchAtlas::Crossing& crossing : m_.atlas_.crossings(links[i])) {
-      const LatticeDistance step = StepLength(crossing.direction);
-      for (TileMask cells = page.cells & crossing.from; cells != 0; cells &= cells - 1) {
-        const int cell = __builtin_ctzll(cells), beside = cell + crossing.offset;
-        const LatticeDistance offer = values[shape.position[static_cast<std::size_t>(cell)]] + step;
-        LatticeDistance& value = others[other_shape.position[static_cast<std::size_t>(beside)]];
-        if (offer >= value || offer > m_.limit_) continue;
-        value = offer;
-        other.cells |= TileMask{1} << beside;
-        other.key = std::min(other.key, offer);
-        lowered_links_[place] |= BitOf(i);
-      }
-    }
+    if ((turn.fresh_links & BitOf(i)) != 0) m_.links_[other.first_link + links[i].back] = turn.page;
+    const HandedOn handed = HandAcrossLink(page, links[i], other);
+    if (handed.lowered == 0) continue;
+    other.cells |= handed.lowered;
+    other.key = std::min(other.key, handed.least);
+    if (other.key / kBucket >= other.queued / kBucket) continue;
+    other.queued = other.key;
+    waiting.push_back({to, static_cast<std::uint32_t>(other.key / kBucket)});
   }
   // What other pages have offered to it meanwhile, it hands on when its turn comes.
   if (page.key == kUnreached) page.cells = 0;
 }
 
-/// Lets the pages beside a page wait with their new keys.
-void ManifoldBuilder::Enqueue(std::size_t at) {
-  if (lowered_links_[at] == 0) return;
-  const Page& page = m_.pages_[batch_[at]];
-  const std::size_t links = m_.atlas_.links(page.patch).size();
-  for (std::size_t i = 0; i < links; ++i) {
-    if ((lowered_links_[at] & BitOf(i)) == 0) continue;
-    const std::uint32_t to = m_.links_[page.first_link + i];
-    if (to != kNoPage) Queue(to);
+HandedOn ManifoldBuilder::HandAcrossLink(const Page& page, const PatchAtlas::Link& link, const Page& other) {
+  const LatticeDistance* values = &m_.values_[page.first_value];
+  LatticeDistance* others = &m_.values_[other.first_value];
+  if (link.open_side != PatchAtlas::kNotOpen) {
+    return HandAcross(link.open_side, m_.atlas_.connectivity() == Connectivity::kEight, m_.limit_, values, others);
   }
+  const PatchAtlas::Shape& shape = m_.atlas_.shape(page.patch);
+  const PatchAtlas::Shape& other_shape = m_.atlas_.shape(other.patch);
+  HandedOn handed;
+  for (const PatchAtlas::Crossing& crossing : m_.atlas_.crossings(link)) {
+    const LatticeDistance step = StepLength(crossing.direction);
+    for (TileMask cells = page.cells & crossing.from; cells != 0; cells &= cells - 1) {
+      const int cell = __builtin_ctzll(cells), beside = cell + crossing.offset;
+      const LatticeDistance offer = values[shape.position[static_cast<std::size_t>(cell)]] + step;
+      LatticeDistance& value = others[other_shape.position[static_cast<std::size_t>(beside)]];
+      if (offer >= value || offer > m_.limit_) continue;
+      value = offer;
+      handed.lowered |= TileMask{1} << beside;
+      handed.least = std::min(handed.least, offer);
+    }
+  }
+  return handed;
 }
 
-void ManifoldBuilder::Queue(std::uint32_t number) {
-  Page& page = m_.pages_[number];
-  if (page.key == kUnreached || page.key == page.queued) return;
-  page.queued = page.key;
-  buckets_[static_cast<std::size_t>(page.key / kBucket)].push_back(number);
+void ManifoldBuilder::LetWait(const std::vector<Waiting>& waiting) {
+  for (const Waiting& page : waiting) buckets_[page.bucket].push_back(page.page);
 }
 
+/// The pages of one word stand in the order of their patches, so that those beside each other in the ground are mostly
+/// found in the same lines of memory; where another word's stand, they go on far away, still in order.
 std::size_t ManifoldBuilder::Slot(PatchAtlas::PatchNumber patch, WordTrie::WordNumber word) const {
+  constexpr std::size_t kWordStride = 2'654'435'769, kJump = 40'503;
   const std::size_t mask = m_.page_table_.size() - 1;
-  std::uint64_t key = ((std::uint64_t{patch} << 32) | word) * 0x9e3779b97f4a7c15ULL;
-  std::size_t slot = static_cast<std::size_t>(key >> 24) & mask;
+  std::size_t slot = (patch + word * kWordStride) & mask;
   while (m_.page_table_[slot] != kNoPage) {
     const Page& page = m_.pages_[m_.page_table_[slot]];
     if (page.patch == patch && page.word == word) break;
-    slot = (slot + 1) & mask;
+    slot = (slot + kJump) & mask;
   }
   return slot;
+}
+
+ManifoldBuilder::PageNumber ManifoldBuilder::Find(PatchAtlas::PatchNumber patch, WordTrie::WordNumber word) const {
+  return word == WordTrie::kMissing ? kNoPage : m_.page_table_[Slot(patch, word)];
 }
 
 std::uint32_t ManifoldBuilder::Obtain(PatchAtlas::PatchNumber patch, WordTrie::WordNumber word) {
   const std::size_t slot = Slot(patch, word);
   if (m_.page_table_[slot] != kNoPage) return m_.page_table_[slot];
-  const std::size_t first_value = m_.values_.Grow(m_.atlas_.shape(patch).count, kUnreached);
-  const std::size_t first_link = m_.links_.Grow(m_.atlas_.links(patch).size(), kNoPage);
+  const std::size_t links = m_.atlas_.links(patch).size();
+  const std::size_t first_value = m_.values_.Grow(m_.atlas_.shape(patch).count);
+  const std::size_t first_link = m_.links_.Grow(links);
   TAUTLINE_CHECK(first_value < kNoPage && first_link < kNoPage);
-  const auto number = static_cast<std::uint32_t>(m_.pages_.Grow(1, {}));
+  std::fill_n(&m_.links_[first_link], links, kNoPage);
+  const auto number = static_cast<std::uint32_t>(m_.pages_.Grow(1));
   Page& page = m_.pages_[number];
   page.word = word;
   page.patch = patch;
@@ -324,10 +404,12 @@ void ManifoldBuilder::CutAt(LatticeDistance distance) {
 void ManifoldBuilder::Finish() {
   InRanges(m_.page_count_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t page = begin; page < end; ++page) {
-      SetVertices(static_cast<std::uint32_t>(page));
+      Page& here = m_.pages_[page];
+      here.cells = ReachedCells(m_.atlas_.shape(here.patch), &m_.values_[here.first_value]);
       FindLinks(static_cast<std::uint32_t>(page));
     }
   });
+  std::vector<PageNumber>().swap(m_.page_table_);
   if (m_.stop_ != ManifoldStop::kNone || m_.length_m_ <= kFarthestCells * m_.ground_.cell_m()) return;
   for (std::uint32_t page = 0; page < m_.page_count_; ++page) {
     const LatticeDistance* values = &m_.values_[m_.pages_[page].first_value];
@@ -337,29 +419,18 @@ void ManifoldBuilder::Finish() {
   }
 }
 
-void ManifoldBuilder::SetVertices(std::uint32_t number) {
-  Page& page = m_.pages_[number];
-  TileDistances tile;
-  LoadTile(m_.atlas_.shape(page.patch), &m_.values_[page.first_value], tile);
-  page.cells = 0;
-  for (std::size_t i = 0; i < tile.at.size(); ++i) {
-    page.cells |= static_cast<TileMask>(tile.at[i] != kUnreached) << i;
-  }
-}
-
-void ManifoldBuilder::FindLinks(std::uint32_t number) {
+/// Where no vertex of the page can step across a link, it does not matter where that leads.
+void ManifoldBuilder::FindLinks(PageNumber number) {
   const Page& page = m_.pages_[number];
   const auto links = m_.atlas_.links(page.patch);
   for (std::size_t i = 0; i < links.size(); ++i) {
-    std::uint32_t& to = m_.links_[page.first_link + i];
+    PageNumber& to = m_.links_[page.first_link + i];
     if (to != kNoPage) continue;
-    WordTrie::WordNumber word = page.word;
-    if (links[i].word != WordTrie::kEmpty) {
-      for (const TrieLetter letter : m_.atlas_.words().LettersOf(links[i].word)) {
-        if (word != WordTrie::kMissing) word = m_.words_.Find(word, letter);
-      }
-    }
-    if (word != WordTrie::kMissing) to = m_.page_table_[Slot(links[i].to, word)];
+    const auto crossings = m_.atlas_.crossings(links[i]);
+    const bool leads_on = std::any_of(crossings.begin(), crossings.end(), [&](const PatchAtlas::Crossing& crossing) {
+      return (crossing.from & page.cells) != 0;
+    });
+    if (leads_on) to = Find(PatchAtlas::LinkedTo(page.patch, links[i]), FindAcross(page.word, links[i].word));
   }
 }
 

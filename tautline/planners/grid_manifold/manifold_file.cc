@@ -12,7 +12,7 @@ namespace tautline {
 namespace {
 
 /// Raised whenever what is written, or what it means, changes.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr std::string_view kName = "tautline manifold, version ";
 
 std::uint32_t Checksum(std::string_view bytes) {
@@ -166,10 +166,7 @@ Expected<GridManifold> ManifoldFile::Read(std::string_view bytes, std::uint64_t 
         "--save-prepared");
   }
   try {
-    GridManifold manifold(std::move(ground), options.connectivity);
-    manifold.base_ = options.base;
-    manifold.length_m_ = options.length_m;
-    manifold.limit_ = LimitOf(options.length_m / manifold.ground_.cell_m());
+    GridManifold manifold(std::move(ground), options);
     ByteReader in(body.substr(asked.size()));
     ManifoldFileContent::Read(in, options, manifold);
     return manifold;

@@ -58,7 +58,7 @@ TEST(ManifoldGoalField, DescendsToTheGoalFromEverywhere) {
     if (way.empty()) continue;
     ASSERT_EQ(manifold.CellOf(way.back()), goal);
   }
-  EXPECT_GT(goals, 2U);
+  EXPECT_GE(goals, 2U);
 }
 
 }  // namespace

@@ -32,10 +32,19 @@ inline void StoreTile(const PatchAtlas::Shape& shape, const TileDistances& tile,
   }
 }
 
+/// The cells of a page that have a distance.
+inline TileMask ReachedCells(const PatchAtlas::Shape& shape, const LatticeDistance* values) {
+  if (shape.count == kTileSide * kTileSide) return ReachedCells(values);
+  TileMask reached = 0;
+  for (TileMask cells = shape.cells; cells != 0; cells &= cells - 1) {
+    if (*values++ != kUnreached) reached |= cells & -cells;
+  }
+  return reached;
+}
+
 /// The cells that crossing from these leads to.
 inline TileMask Across(const PatchAtlas::Crossing& crossing, TileMask cells) {
-  const TileMask from = crossing.from & cells;
-  return crossing.offset >= 0 ? from << crossing.offset : from >> -crossing.offset;
+  return Moved(crossing.from & cells, crossing.offset);
 }
 
 }  // namespace tautline

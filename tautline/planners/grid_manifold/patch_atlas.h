@@ -5,17 +5,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "tautline/planners/grid_manifold/cell_ground.h"
 #include "tautline/planners/grid_manifold/tile_relaxation.h"
+#include "tautline/planners/grid_manifold/tile_steps.h"
 #include "tautline/planners/grid_manifold/word_trie.h"
 
 namespace tautline {
-
-/// How a robot steps from cell to cell.
-enum class Connectivity { kFour, kEight };
 
 /// The free cells of each tile of 8 x 8, by connected pieces: patches. Every cell of a patch has a word of its own,
 /// such that steps inside the patch from the word w of the patch lead from w * (word of one cell) to w * (word of the
@@ -30,22 +29,28 @@ class PatchAtlas {
     TileMask from = 0;          ///< The cells that have such a step.
     std::int8_t direction = 0;  ///< Of the step.
     std::int8_t offset = 0;     ///< The number of the cell it leads to, less that of the cell it comes from.
+
+    /// Whether both are equal.
+    friend bool operator==(const Crossing&, const Crossing&) = default;
   };
   /// All steps from one patch to another that change the word in one way.
   struct Link {
-    PatchNumber to = 0;                ///< The patch they lead to.
-    WordTrie::WordNumber word = 0;     ///< What they append to the word of the patch, in words().
-    std::uint32_t first_crossing = 0;  ///< Its crossings.
-    std::uint32_t crossings = 0;       ///< How many.
-    std::uint32_t back = 0;            ///< Which link of that patch leads back.
+    std::uint32_t ahead = 0;            ///< How much larger the number of the patch is that they lead to, modulo 2^32.
+    WordTrie::WordNumber word = 0;      ///< What they append to the word of the patch, in words().
+    std::uint32_t first_crossing = 0;   ///< Its crossings.
+    std::uint16_t back = 0;             ///< Which link of that patch leads back.
+    std::uint8_t crossings = 0;         ///< How many.
+    std::uint8_t open_side = kNotOpen;  ///< The direction of a straight step across the side of a tile, where both
+                                        ///< patches are whole tiles and all steps between them belong to the link.
   };
+  static constexpr std::uint8_t kNotOpen = 0xff;  ///< Of links that are less than that.
   /// What patches of one form share.
   struct Shape {
     TileMask cells = 0;                       ///< Those of the patch.
     TileMoves moves{};                        ///< The steps inside of it.
     std::array<std::uint8_t, 64> position{};  ///< By cell of the patch, how many of its cells come before.
     std::uint8_t count = 0;                   ///< How many cells it has.
-    bool open = false;                        ///< The whole tile with all steps.
+    bool open = false;                        ///< A rectangle with all steps.
   };
   /// A cell of a patch.
   struct Place {
@@ -53,8 +58,8 @@ class PatchAtlas {
     int cell = 0;           ///< The cell in its tile.
   };
 
-  /// Cuts the ground into patches. O(cells + patches * rays through them).
-  PatchAtlas(const CellGround& ground, Connectivity connectivity);
+  /// Cuts the ground within reach into patches. O(tiles + patches within reach * rays through them).
+  PatchAtlas(const CellGround& ground, Connectivity connectivity, const TileReach& reach);
 
   /// How robots step in it.
   Connectivity connectivity() const { return connectivity_; }
@@ -62,10 +67,12 @@ class PatchAtlas {
   std::size_t size() const { return patches_.size(); }
   /// The form of a patch.
   const Shape& shape(PatchNumber patch) const { return shapes_[patches_[patch].shape]; }
-  /// Where its steps lead.
+  /// Where its steps lead. Patches in the open share their links.
   std::span<const Link> links(PatchNumber patch) const {
     return std::span<const Link>(links_).subspan(patches_[patch].first_link, patches_[patch].links);
   }
+  /// The patch that a link of a patch leads to.
+  static PatchNumber LinkedTo(PatchNumber patch, const Link& link) { return patch + link.ahead; }
   /// The steps of a link.
   std::span<const Crossing> crossings(const Link& link) const {
     return std::span<const Crossing>(crossings_).subspan(link.first_crossing, link.crossings);
@@ -73,7 +80,9 @@ class PatchAtlas {
   /// The words that links and cells use.
   const WordTrie& words() const { return words_; }
 
-  /// The place of a free cell. O(patches of its tile).
+  /// The place of a cell; nothing where it is blocked or out of reach. O(patches of its tile).
+  std::optional<Place> FindPlace(GridCell cell) const;
+  /// The same where there is one.
   Place PlaceOf(GridCell cell) const;
   /// The cell of the ground that a cell of a patch is.
   GridCell CellOf(Place place) const;
@@ -92,21 +101,21 @@ class PatchAtlas {
     std::uint32_t first_link = 0;
     std::uint32_t links = 0;
   };
-  /// The word of a cell, where it is not empty.
-  struct CellWord {
+  /// Cells of one word in a patch that has several.
+  struct Part {
     PatchNumber patch = 0;
-    std::int32_t cell = 0;
     WordTrie::WordNumber word = 0;
+    TileMask cells = 0;
   };
 
   Connectivity connectivity_;
-  int tile_columns_ = 0, tile_rows_ = 0;
+  int tile_columns_ = 0;
   std::vector<Patch> patches_;            ///< By tile.
   std::vector<PatchNumber> first_patch_;  ///< By tile; one more at the end.
   std::vector<Shape> shapes_;
   std::vector<Link> links_;
   std::vector<Crossing> crossings_;
-  std::vector<CellWord> cell_words_;  ///< By patch and cell.
+  std::vector<Part> parts_;  ///< By patch, for those with several.
   WordTrie words_;
 };
 

@@ -67,7 +67,7 @@ inline void StepOpen(Row& row, const Row& beside, bool diagonal) {
   LowerTo(row, east + kDiagonalStep);
 }
 
-/// In an open tile a shortest way is straight east or west first and then all north or all south: one pass does.
+/// Without walls a shortest way is straight east or west first and then all north or all south: one pass does.
 inline void SweepOpen(Row* rows, bool diagonal) {
   for (int i = 0; i < kTileSide; ++i) {
     SpreadOpen<1>(rows[i]);
@@ -157,15 +157,42 @@ inline void SweepMasked(Row* rows, const TileMoves& moves) {
   }
 }
 
+/// Row by row what is given column by column.
+constexpr TileMask Transposed(TileMask cells) {
+  TileMask swap = (cells ^ (cells >> 7)) & 0x00aa00aa00aa00aaULL;
+  cells ^= swap ^ (swap << 7);
+  swap = (cells ^ (cells >> 14)) & 0x0000cccc0000ccccULL;
+  cells ^= swap ^ (swap << 14);
+  swap = (cells ^ (cells >> 28)) & 0x00000000f0f0f0f0ULL;
+  return cells ^ swap ^ (swap << 28);
+}
+
+/// The cells of a tile of which bit i of lane k tells about the one in row i and column k.
+inline TileMask FromColumns(const Row& columns) {
+  std::array<LatticeDistance, kTileSide> lanes{};
+  std::memcpy(lanes.data(), &columns, sizeof columns);
+  TileMask cells = 0;
+  for (std::size_t i = 0; i < lanes.size(); ++i) cells |= static_cast<TileMask>(lanes[i]) << (8 * i);
+  return Transposed(cells);
+}
+
 inline TileMask Changed(const Row* rows, const Row* before) {
-  TileMask changed = 0;
-  for (int i = 0; i < kTileSide; ++i) {
-    const Row bits = (rows[i] < before[i]) & kLaneBits;
-    LatticeDistance byte = 0;
-    for (int lane = 0; lane < kTileSide; ++lane) byte |= bits[lane];
-    changed |= static_cast<TileMask>(byte) << (8 * i);
-  }
-  return changed;
+  Row columns{};
+  for (int i = 0; i < kTileSide; ++i) columns |= (rows[i] < before[i]) & (1 << i);
+  return FromColumns(columns);
+}
+
+/// The distances of a column of a tile, the lowest first.
+inline void LoadColumn(const LatticeDistance* tile, int column, Row& result) {
+  std::array<LatticeDistance, kTileSide> lanes{};
+  for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i] = tile[8 * i + static_cast<std::size_t>(column)];
+  std::memcpy(&result, lanes.data(), sizeof result);
+}
+
+inline void StoreColumn(const Row& row, int column, LatticeDistance* tile) {
+  std::array<LatticeDistance, kTileSide> lanes{};
+  std::memcpy(lanes.data(), &row, sizeof row);
+  for (std::size_t i = 0; i < lanes.size(); ++i) tile[8 * i + static_cast<std::size_t>(column)] = lanes[i];
 }
 
 }  // namespace
@@ -205,6 +232,49 @@ TileMask RelaxTile(const TileMoves& moves, bool open, bool diagonal, TileDistanc
   }
   std::memcpy(distances.at.data(), rows, sizeof rows);
   return Changed(rows, before);
+}
+
+TAUTLINE_WIDE_VECTORS
+TileMask ReachedCells(const LatticeDistance* distances) {
+  Row columns{};
+  for (int i = 0; i < kTileSide; ++i, distances += kTileSide) {
+    Row row;
+    std::memcpy(&row, distances, sizeof row);
+    columns |= (row < kFar) & (1 << i);
+  }
+  return FromColumns(columns);
+}
+
+TAUTLINE_WIDE_VECTORS
+HandedOn HandAcross(int side, bool diagonal, LatticeDistance limit, const LatticeDistance* from, LatticeDistance* to) {
+  const bool level = side % 4 == 0;  // East or west: the lanes are those of a column.
+  const int near = side == 0 || side == 2 ? kTileSide - 1 : 0, beyond = kTileSide - 1 - near;
+  const int near_row = kTileSide * near, beyond_row = kTileSide * beyond;
+  Row beside, offers = kFar, values;
+  if (level) {
+    LoadColumn(from, near, beside);
+    LoadColumn(to, beyond, values);
+  } else {
+    std::memcpy(&beside, from + near_row, sizeof beside);
+    std::memcpy(&values, to + beyond_row, sizeof values);
+  }
+  StepOpen(offers, beside, diagonal);
+  const Row lower = (offers < values) & (offers <= limit);
+  const Row lowered = lower ? offers : values;
+  if (!AnyLess(lowered, values)) return {};
+  if (level) {
+    StoreColumn(lowered, beyond, to);
+  } else {
+    std::memcpy(to + beyond_row, &lowered, sizeof lowered);
+  }
+  HandedOn result;
+  const Row least = lower ? offers : kFar;
+  for (int i = 0; i < kTileSide; ++i) {
+    const auto bit = static_cast<TileMask>(lower[i] & 1);
+    result.lowered |= bit << (level ? kTileSide * i + beyond : kTileSide * beyond + i);
+    result.least = least[i] < result.least ? least[i] : result.least;
+  }
+  return result;
 }
 
 }  // namespace tautline

@@ -35,12 +35,27 @@ TileMoves MovesWithin(const TileMoves& moves, TileMask cells);
 
 /// One distance per cell.
 struct alignas(32) TileDistances {
-  std::array<LatticeDistance, 64> at;
+  std::array<LatticeDistance, 64> at;  ///< By cell of the tile.
 };
 
-/// Lowers every distance to the least sum of a distance and a way from there within the tile. `open`: the moves are
-/// those of OpenMoves(diagonal); their being so saves half of the time. Returns the cells whose distance changed.
+/// Lowers every distance to the least sum of a distance and a way from there within the tile. `open`: the cells with
+/// moves are a rectangle with all steps inside of it, and only they have distances. No way between two of its cells is
+/// shorter than those inside, which saves most of the time; beyond the rectangle, the distances then mean nothing.
+/// Returns the cells whose distance changed.
 TileMask RelaxTile(const TileMoves& moves, bool open, bool diagonal, TileDistances& distances);
+
+/// The cells that have a distance. `distances` holds those of a whole tile.
+TileMask ReachedCells(const LatticeDistance* distances);
+
+/// What handing distances on across a side changed.
+struct HandedOn {
+  TileMask lowered = 0;                ///< Cells of the other tile whose distance became less.
+  LatticeDistance least = kUnreached;  ///< The least of their distances.
+};
+
+/// Lowers the distances `to` of a whole tile by steps across its side from the one with the distances `from`, which is
+/// to be left in the straight direction `side`, up to a limit; `diagonal`: also by diagonal steps.
+HandedOn HandAcross(int side, bool diagonal, LatticeDistance limit, const LatticeDistance* from, LatticeDistance* to);
 
 }  // namespace tautline
 
