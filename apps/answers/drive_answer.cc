@@ -276,7 +276,7 @@ Expected<DriveAnswer> AnswerDrive(const Scene& scene, const DriveQuestion& quest
     driving.Refuse("budget_exceeded", "budget_exceeded",
                    "the manifold has more than " + std::to_string(question.max_vertices) + " vertices or takes " +
                        std::to_string(question.max_bytes) +
-                       " bytes: raise --max-nodes, shorten the tether or give a larger --resolution");
+                       " bytes: raise --max-nodes or --max-bytes, shorten the tether or give a larger --resolution");
     return answer;
   }
   driving.Run(manifold, *goals);

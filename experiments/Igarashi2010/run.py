@@ -204,6 +204,8 @@ def heat_map(runs, layout):
 def make_pictures(program, runs):
     for layout in LAYOUTS:
         (HERE / "img" / f"contacts_{layout}.svg").write_text(heat_map(runs, layout))
+    run(program, "layout1", orders()[1], ALGORITHMS["extended"],
+        ["--candidates", "4", "--svg", HERE / "img" / "candidates.svg"])
     for algorithm in ("basic", "prevention"):
         run(program, "layout2", orders()[2], ALGORITHMS[algorithm],
             ["--svg", HERE / "img" / f"layout2_{algorithm}.svg"])
