@@ -24,7 +24,7 @@ class WaySearch {
     Offer(KeyOf(start), KeyOf(start), 0);
     const int step = open_.manifold().atlas().connectivity() == Connectivity::kEight ? 1 : 2;
     while (!queue_.empty()) {
-      const auto [estimate, ahead, key] = queue_.top();
+      const std::uint64_t key = std::get<3>(queue_.top());
       queue_.pop();
       Label& label = labels_[key];
       if (label.done) continue;
@@ -45,7 +45,8 @@ class WaySearch {
     std::uint64_t before = 0;
     bool done = false;
   };
-  using Entry = std::tuple<std::int64_t, LatticeDistance, std::uint64_t>;  ///< Estimate, how much of it is ahead, key.
+  /// Estimate, how much of it is ahead, cell, key: of equally good ones the same however the pages are numbered.
+  using Entry = std::tuple<std::int64_t, LatticeDistance, std::int64_t, std::uint64_t>;
 
   void Offer(std::uint64_t key, std::uint64_t before, LatticeDistance distance) {
     Label& label = labels_[key];
@@ -53,7 +54,8 @@ class WaySearch {
     const LatticeDistance ahead = destination_.remaining(VertexOf(key));
     if (ahead == kUnreached) return;
     label = {distance, before, false};
-    queue_.push({std::int64_t{distance} + ahead, ahead, key});
+    const GridCell cell = open_.manifold().CellOf(VertexOf(key));
+    queue_.push({std::int64_t{distance} + ahead, ahead, std::int64_t{cell.row} << 32 | cell.column, key});
   }
 
   std::vector<ManifoldVertex> WayTo(std::uint64_t key) {

@@ -26,8 +26,8 @@ Choice Choose(RobotDriver& driver, const GoalVisit& visit, const DriveState& sta
     ++trials;
     TargetTrial trial = TryTarget(driver, visit, state, target.vertex);
     if (trial.visited) return {std::move(trial), 0};
-    if (trial.touched || before.count(StateKey(trial.after, driver.coarse_m())) > 0 || !visit.KeepsRetreat(trial.after))
-      continue;
+    if (trial.touched || before.count(StateKey(trial.after, driver.coarse_m())) > 0) continue;
+    if (!visit.KeepsRetreat(trial.after)) continue;
     const std::size_t region = AccessibleRegion(driver.Look(trial.after), trial.after.at).size();
     if (region > best.region) best = {std::move(trial), region};
   }
