@@ -167,12 +167,28 @@ def manifold_difference(got, want, tolerance):
     return None
 
 
+def drive_difference(got, want, tolerance):
+    """The first way in which a drive differs from what is expected, or None. `reached` and `untanglings` are those of
+    each goal."""
+    found = {"status": got["status"], "reason": got.get("reason"), "contacts": got.get("cable_robot_contacts"),
+             "reached": [goal["reached"] for goal in got.get("goals", [])],
+             "untanglings": [goal["untanglings"] for goal in got.get("goals", [])]}
+    for key in found:
+        if key in want and found[key] != want[key]:
+            return f"{key} {found[key]}, wanted {want[key]}"
+    if "time" in want and not close(got["time"], want["time"], tolerance):
+        return f"time {got['time']}, wanted {want['time']}"
+    return None
+
+
 def difference(got, want, tolerance):
     """The first way in which an answer differs from what is expected, or None."""
     if got["command"] == "fleet plan":
         return fleet_plan_difference(got, want, tolerance)
     if got["command"].startswith("workspace"):
         return workspace_difference(got, want, tolerance)
+    if got["command"] == "drive":
+        return drive_difference(got, want, tolerance)
     if got["command"] == "manifold":
         return manifold_difference(got, want, tolerance)
     if got["command"] == "reach":

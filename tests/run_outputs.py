@@ -19,6 +19,7 @@ from refusals import Refusals
 PROGRAM = ""
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENE, LARGE = str(ROOT / "scenes/pillar.yaml"), str(ROOT / "scenes/willow_demo.yaml")
+LOCKED = str(ROOT / "experiments/Igarashi2010/scenes/maps/tb3_sandbox.yaml")
 TIMEOUT_S = 120
 OLD = "what was there before\n"
 
@@ -70,6 +71,17 @@ class Outputs(Refusals, unittest.TestCase):
         process = self.start("classes", LARGE, "--count", 10**9, "--max-length", 1000, "--budget", 10**12,
                              "--svg", self.svg, stdout=subprocess.PIPE)
         time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(TIMEOUT_S), INTERRUPTED)
+        self.assertEqual(process.stdout.read() + process.stderr.read(), b"")
+        self.assertEqual(self.files(), [])
+
+    def test_interrupted_in_a_drive(self):
+        # The fourth goal has no way, for which the search takes minutes.
+        process = self.start("drive", LOCKED, "--resolution", 0.1, "--search-trials", 10**6, "--lookahead-trials", 10**6,
+                             "--json", "--svg", self.svg, "--animate", self.folder / "film.svg",
+                             stdout=subprocess.PIPE)
+        time.sleep(2)
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(TIMEOUT_S), INTERRUPTED)
         self.assertEqual(process.stdout.read() + process.stderr.read(), b"")

@@ -18,6 +18,7 @@ Run AddClasses(CLI::App& app);
 Run AddTaut(CLI::App& app);
 Run AddReach(CLI::App& app);
 Run AddManifold(CLI::App& app);
+Run AddDrive(CLI::App& app);
 Run AddFleet(CLI::App& app);
 Run AddWorkspace(CLI::App& app);
 

@@ -33,6 +33,8 @@ draw fleet.svg fleet check scenes/fleet.yaml
 draw fleet_layouts.svg fleet layouts scenes/fleet_yard.yaml --count 6
 draw fleet_plan.svg fleet plan scenes/fleet.yaml
 "$build/apps/cli/tautline" fleet plan scenes/fleet.yaml --quiet --animate $out/fleet_film.svg
+draw drive.svg drive scenes/cable_hall.yaml
+draw drive_candidates.svg drive scenes/cable_hall.yaml --candidates 4
 draw engine_taut.svg taut scenes/store_room.yaml
 draw engine_classes.svg classes scenes/store_room.yaml
 draw engine_choice.svg plan scenes/store_room.yaml --all

@@ -1,0 +1,132 @@
+#include "tautline/draw/draw_drive.h"
+
+#include <algorithm>
+
+#include "tautline/draw/figure.h"
+#include "tautline/draw/fleet_animation.h"
+#include "tautline/draw/length_text.h"
+
+namespace tautline {
+namespace {
+
+const LineStyle kDriveLine = {.colour = "#0b4a8f", .width = 1.4};
+const LineStyle kLaidCableLine = {.colour = "#8f6400", .width = 2.6};
+constexpr char kRobotColour[] = "#0b4a8f";
+constexpr double kShortestFilm = 6, kLongestFilm = 40, kHold = 2;  // Seconds of the viewer's time.
+constexpr double kSpeedUp = 4;                                     // Of the film, where it is not too long for that.
+constexpr std::size_t kMostFilmFrames = 240;
+
+std::size_t CountContacts(const DrivePicture& picture, ContactKind kind) {
+  return static_cast<std::size_t>(std::count_if(picture.contacts.begin(), picture.contacts.end(),
+                                                [kind](const Contact& contact) { return contact.kind == kind; }));
+}
+
+std::string TimesText(std::size_t count) { return std::to_string(count) + (count == 1 ? " time" : " times"); }
+
+std::string TitleOf(const DrivePicture& picture) {
+  if (picture.frames.empty()) return "No drive";
+  const auto visited = std::count_if(picture.goals.begin(), picture.goals.end(),
+                                     [](const GoalOutcome& goal) { return goal.failure == DriveFailure::kNone; });
+  return std::to_string(visited) + " of " + std::to_string(picture.goals.size()) +
+         (picture.goals.size() == 1 ? " goal" : " goals") + " visited in " + FixedText(picture.frames.back().t_s, 1) +
+         " s";
+}
+
+FigureContent ContentOf(const DrivePicture& picture, bool film) {
+  FigureContent content{.title = TitleOf(picture)};
+  if (!picture.explanation.empty()) content.notes.push_back(picture.explanation);
+  if (picture.frames.empty()) return content;
+  content.legend = {
+      {kDriveLine, "the robot's way"},
+      {kLaidCableLine, film ? "the cable" : "the cable in the end"},
+      {Marker::kRing, "the robot drove over its cable " + TimesText(CountContacts(picture, ContactKind::kRobot))},
+      {Marker::kCrossing, "an obstacle caught the cable " + TimesText(CountContacts(picture, ContactKind::kObstacle))}};
+  return content;
+}
+
+void DrawStill(Figure& figure, const Scene& scene, const DrivePicture& picture) {
+  Polyline way;
+  for (const DriveFrame& frame : picture.frames) way.push_back(frame.robot);
+  if (way.size() > 1) figure.Line("way", way, kDriveLine);
+  for (const Contact& contact : picture.contacts) {
+    figure.Mark(contact.kind == ContactKind::kRobot ? Marker::kRing : Marker::kCrossing, contact.at);
+  }
+  figure.Mark(Marker::kBase, scene.tether->base, "base");
+  for (std::size_t i = 0; i < picture.goals.size(); ++i) {
+    const bool visited = picture.goals[i].failure == DriveFailure::kNone;
+    figure.Mark(visited ? Marker::kGoal : Marker::kBlocked, picture.goals[i].goal, std::to_string(i + 1));
+  }
+}
+
+SvgCurve CircleAt(Point centre, double radius) {
+  const Point side{radius, 0};
+  return {.start = centre - side,
+          .steps = {{.to = centre + side, .radius = radius * (1 + 1e-9)},
+                    {.to = centre - side, .radius = radius * (1 + 1e-9)}},
+          .closed = true};
+}
+
+/// Evenly many of the frames, the first and the last among them.
+std::vector<const DriveFrame*> FilmFrames(const DrivePicture& picture) {
+  const std::size_t count = picture.frames.size(), kept = std::min(count, kMostFilmFrames);
+  std::vector<const DriveFrame*> frames;
+  for (std::size_t i = 0; i < kept; ++i) {
+    frames.push_back(&picture.frames[kept == 1 ? 0 : i * (count - 1) / (kept - 1)]);
+  }
+  return frames;
+}
+
+void DrawMoving(Figure& figure, const DrivePicture& picture) {
+  const std::vector<const DriveFrame*> frames = FilmFrames(picture);
+  const double end = frames.back()->t_s;
+  const double film = std::clamp(end / kSpeedUp, kShortestFilm, kLongestFilm);
+  SvgMotion motion{.times = {}, .duration_s = film + kHold};
+  std::vector<Polyline> cables;
+  std::vector<Point> robots;
+  for (const DriveFrame* frame : frames) {
+    motion.times.push_back(end > 0 ? (frame->t_s - frames.front()->t_s) / end * film / motion.duration_s : 0);
+    cables.push_back(figure.view().ToPixels(frame->cable));
+    robots.push_back(figure.view().ToPixels(frame->robot));
+  }
+  motion.times.push_back(1);
+  cables = AlignedKeyframes(cables);
+  cables.push_back(cables.back());
+  robots.push_back(robots.back());
+  SvgWriter& svg = figure.map().svg();
+  svg.OpenGroup("moving-cable");
+  svg.MovingPolyline(cables, motion, {.stroke = kLaidCableLine.colour, .width = kLaidCableLine.width});
+  svg.CloseGroup();
+  svg.OpenGroup("moving-robot");
+  svg.MovingCircle(robots, std::max(3.0, picture.robot_radius_m * figure.view().pixels_per_metre()), motion,
+                   {.fill = kRobotColour, .stroke = kHaloColour, .width = 1.2, .opacity = 0.6});
+  svg.CloseGroup();
+}
+
+}  // namespace
+
+std::string DrawDrive(const Scene& scene, const DrivePicture& picture) {
+  const auto space = BuildFreeSpace(scene.world);
+  if (!space) return "";
+  Figure figure(scene, *space, ContentOf(picture, false));
+  if (!picture.frames.empty()) {
+    figure.Line("cable", picture.frames.back().cable, kLaidCableLine);
+    const double radius = picture.robot_radius_m * figure.view().pixels_per_metre();
+    if (radius > 0) {
+      figure.Shape("robot", std::vector{CircleAt(figure.view().ToPixels(picture.frames.back().robot), radius)},
+                   {.fill = kRobotColour, .opacity = 0.4});
+    }
+  }
+  DrawStill(figure, scene, picture);
+  return figure.Finish();
+}
+
+std::string AnimateDrive(const Scene& scene, const DrivePicture& picture) {
+  const auto space = BuildFreeSpace(scene.world);
+  if (!space) return "";
+  Figure figure(scene, *space, ContentOf(picture, true));
+  DrawStill(figure, scene, picture);
+  if (!picture.frames.empty()) DrawMoving(figure, picture);
+  return figure.Finish();
+}
+
+}  // namespace tautline
