@@ -13,7 +13,7 @@ namespace tautline {
 
 /// How many motions may be simulated still.
 struct TrialBudget {
-  std::int64_t left = std::numeric_limits<std::int64_t>::max();
+  std::int64_t left = std::numeric_limits<std::int64_t>::max();  ///< Motions.
 
   /// Takes one; false where none is left.
   bool Spend() { return left > 0 && left-- > 0; }

@@ -26,7 +26,8 @@ struct TriedTarget {
 
 /// All candidates of a state.
 struct TargetTrials {
-  Point goal, robot;                  ///< Metres.
+  Point goal;                         ///< Metres.
+  Point robot;                        ///< Metres.
   bool open = false;                  ///< The way to the goal is open already.
   Polyline cable;                     ///< From base to robot.
   RegionCells region;                 ///< What the robot can get to.
