@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-LEFT_TO_RIGHT = ["base", "geometry", "scene", "homotopy", "cable", "planners", "draw"]
+LEFT_TO_RIGHT = ["base", "network", "geometry", "scene", "homotopy", "cable", "planners", "draw"]
 TOP = ["apps", "bench", "docs", "examples", "experiments", "fuzz", "tests"]
 INCLUDE = re.compile(r'^\s*#\s*include\s+"tautline/([^"]+)"')
 
