@@ -63,6 +63,7 @@ class ClassSearch {
     const Polyline back(taut->points.rbegin(), taut->points.rend());
     std::optional<Walk> rest{Walk(*to)};
     if (space_.Follow(back, rest)) return false;
+    limit_ = query_.stretch * taut->length + query_.slack_m;
     Reach(query_.from, Number(Word()), 0, 0, *std::move(rest));
     return true;
   }
@@ -79,6 +80,7 @@ class ClassSearch {
 
   void Reach(PathNodeId node, std::size_t word, double length, std::size_t parent, Walk rest) {
     const double rest_length = PullTaut(space_.mesh(), rest).length;
+    if (length + rest_length > limit_) return;
     at_.emplace(KeyOf(node, word), states_.size());
     queue_.push({length + rest_length, length, states_.size()});
     states_.push_back({node, word, length, parent, std::move(rest), rest_length});
@@ -123,6 +125,7 @@ class ClassSearch {
   const TautSpace& space_;
   const PathGraph& graph_;
   const ShortestInClassQuery& query_;
+  double limit_ = 0;
   std::vector<State> states_;
   std::unordered_map<std::uint64_t, std::size_t> at_;
   std::vector<Word> words_;
