@@ -1,0 +1,202 @@
+#include "tautline/planners/contact_free/plan_contact_free.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tautline/homotopy/classes.h"
+#include "tautline/scene/check_tether.h"
+#include "tautline/scene/number_text.h"
+
+namespace tautline {
+namespace {
+
+/// The cells in which distances to the goal are asked once, and of the grid of the map, metres.
+constexpr double kGuideCell = 0.1, kMapCell = 0.1;
+/// The space that gives distances grows by this share of the robot's radius: corners are rounded outwards by up to a
+/// hundredth, and wherever the robot may stand must be inside.
+constexpr double kGrowth = 0.98;
+/// The first search follows so many states of a layer; each that follows, so many times as many.
+constexpr int kFirstWidth = 60, kWider = 4;
+
+std::string TextOf(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
+
+double CostOf(const MotionCosts& costs, const SearchCosts& weights) {
+  return costs.penalty + weights.per_metre * costs.length_m;
+}
+
+/// What all searches for one scene share.
+class Planning {
+ public:
+  Planning(const Scene& scene, const ContactFreeOptions& options, FreeSpace free, FreeSpace grown)
+      : scene_(scene),
+        options_(options),
+        laid_(scene.tether->laid.value_or(Polyline{scene.tether->base})),
+        map_(free, kMapCell),
+        space_(std::move(free)),
+        room_(std::move(grown)) {
+    options_.env.reward.use_reference = false;
+    options_.env.reward.goal = 0;
+  }
+
+  Expected<ContactFreeResult> Run() {
+    if (!IsRefused()) {
+      auto env = EnvOf(scene_, map_, HeadingOf(), options_.env);
+      if (!env) return tl::unexpected(env.error());
+      Search(*env);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void Refuse(std::string reason, std::string explanation) {
+    result_.reason = std::move(reason);
+    result_.explanation = std::move(explanation);
+  }
+
+  /// Whether the question has no answer, for reasons that need no search.
+  bool IsRefused() {
+    const double radius = options_.env.robot_radius_m, length = scene_.tether->length;
+    const std::string disc = "the disc of " + Metres(radius) + " around ";
+    if (map_.DiscTouches(laid_.back(), radius)) {
+      Refuse("start_blocked", disc + "the robot at " + TextOf(laid_.back()) + " touches an obstacle or a wall");
+      return true;
+    }
+    const Point goal_at = *scene_.goal;
+    goal_ = room_.Locate(goal_at);
+    if (map_.DiscTouches(goal_at, radius) || !goal_) {
+      Refuse("goal_blocked", disc + "the goal at " + TextOf(goal_at) + " touches an obstacle or a wall");
+      return true;
+    }
+    if (const Shortened laid = Shorten(space_, laid_); laid.departure) {
+      Refuse("laid_cable_blocked",
+             "the laid cable runs into an obstacle or a wall at " + TextOf(laid.departure->at));
+      return true;
+    }
+    if (Length(laid_) > length * (1 + kLengthTolerance)) {
+      Refuse("laid_cable_too_long", "the laid cable takes " + Metres(Length(laid_)) + ", and there are " +
+                                        Metres(length) + " of it");
+      return true;
+    }
+    guide_.emplace(room_, *goal_, kGuideCell);
+    way_ = guide_->ShortestPath(laid_.back());
+    if (way_.empty()) {
+      Refuse("goal_unreachable", "no way is wide enough for " + disc + "the robot from " + TextOf(laid_.back()) +
+                                     " to " + TextOf(goal_at));
+      return true;
+    }
+    return IsTetherTooShort();
+  }
+
+  bool IsTetherTooShort() {
+    const auto base = space_.Locate(laid_.front()), goal = space_.Locate(*scene_.goal);
+    const auto shortest = base && goal ? FindShortestOnward(space_, Walk(*base), *goal) : std::nullopt;
+    if (!shortest) return false;
+    // The robot need not come nearer than this, and its tail is behind it.
+    const double spared = options_.env.goal_radius_m + options_.env.robot_radius_m;
+    if (shortest->length - spared <= scene_.tether->length * (1 + kLengthTolerance)) return false;
+    Refuse("tether_too_short", "the shortest tether to the goal takes " + Metres(shortest->length) +
+                                   ", and the cable has " + Metres(scene_.tether->length));
+    return true;
+  }
+
+  double HeadingOf() const {
+    const auto angle = [](Point way) { return std::atan2(way.y, way.x); };
+    for (std::size_t i = laid_.size() - 1; i-- > 0;) {
+      if (laid_[i] != laid_.back()) return angle(laid_.back() - laid_[i]);
+    }
+    return way_.size() > 1 ? angle(way_[1] - way_[0]) : 0;
+  }
+
+  void Search(const TetherEnv& env) {
+    const double speed = env.options().speed_m_per_s;
+    result_.shortest_m = std::max(0.0, Length(way_) - env.options().goal_radius_m);
+    result_.bound =
+        result_.shortest_m * (options_.costs.per_metre - env.options().reward.time / (speed * env.options().dt_s));
+    for (int width = kFirstWidth; result_.expansions < options_.budget && !IsGoodEnough(); width *= kWider) {
+      for (const double margin_m : options_.margins_m) {
+        if (!IsGoodEnough()) SearchWith(env, margin_m, width);
+      }
+    }
+    result_.status = found_ ? ContactFreeStatus::kSolved : ContactFreeStatus::kBudgetExceeded;
+    if (!found_) {
+      Refuse("budget_exceeded", "no motion was found among " + std::to_string(result_.expansions) +
+                                    " states; one may exist: give a larger --budget");
+      return;
+    }
+    Polyline way = laid_;
+    for (const Pose& pose : result_.motion.poses) way.push_back(pose.at);
+    result_.tether = Shorten(space_, way).path;
+  }
+
+  bool IsGoodEnough() const { return found_ && result_.contacts_proved(); }
+
+  void SearchWith(const TetherEnv& env, double margin_m, int width) {
+    std::optional<ContactMap> wary_map;
+    std::optional<TetherEnv> wary;
+    if (margin_m > 0) {
+      const auto space = BuildFreeSpace(scene_.world, {.clearance = scene_.world.clearance + margin_m});
+      if (!space) return;
+      wary_map.emplace(*space, kMapCell);
+      auto created = EnvOf(scene_, *wary_map, env.pose().heading_rad, env.options());
+      // Where the robot stands nearer to an obstacle than the margin, it cannot be kept.
+      if (!created) return;
+      wary = *std::move(created);
+    }
+    const SearchProblem problem{.env = wary ? &*wary : &env,
+                                .guide = &*guide_,
+                                .rays = &space_.rays(),
+                                .costs = {options_.costs.per_metre, margin_m > 0 ? options_.costs.cable_margin_m : 0}};
+    const SearchOutcome outcome = SearchMotion(problem, {.width = width});
+    result_.expansions += std::max<std::int64_t>(1, outcome.expansions);
+    if (outcome.end != SearchEnd::kFound) return;
+    DrivenMotion driven = DriveMotion(env, outcome.motion);
+    const double cost = CostOf(driven.costs, options_.costs);
+    if (!driven.at_goal || (found_ && cost >= result_.cost)) return;
+    found_ = true;
+    result_.motion = std::move(driven);
+    result_.cost = cost;
+  }
+
+  const Scene& scene_;
+  ContactFreeOptions options_;
+  Polyline laid_;
+  ContactMap map_;
+  TautSpace space_;  ///< For cables.
+  TautSpace room_;   ///< For the robot's centre.
+  std::optional<Place> goal_;
+  std::optional<GoalGuide> guide_;
+  Polyline way_;
+  ContactFreeResult result_;
+  bool found_ = false;
+};
+
+}  // namespace
+
+Expected<TetherEnv> EnvOf(const Scene& scene, const ContactMap& map, double heading_rad,
+                          const TetherEnvOptions& options) {
+  return TetherEnv::Create(map,
+                           {.laid = scene.tether->laid.value_or(Polyline{scene.tether->base}),
+                            .heading_rad = heading_rad,
+                            .cable_length_m = scene.tether->length,
+                            .goal = *scene.goal,
+                            .waypoints = {}},
+                           options);
+}
+
+Expected<ContactFreeResult> PlanContactFree(const Scene& scene, const ContactFreeOptions& options) {
+  if (const auto checked = RequireTetherAndGoal(scene); !checked) return tl::unexpected(checked.error());
+  auto free = BuildFreeSpace(scene.world);
+  if (!free) return tl::unexpected(free.error());
+  auto grown = BuildFreeSpace(scene.world,
+                              {.clearance = scene.world.clearance + kGrowth * options.env.robot_radius_m});
+  if (!grown) {
+    ContactFreeResult nowhere;
+    nowhere.reason = "start_blocked";
+    nowhere.explanation = "the robot's disc of " + Metres(options.env.robot_radius_m) + " fits nowhere";
+    return nowhere;
+  }
+  return Planning(scene, options, *std::move(free), *std::move(grown)).Run();
+}
+
+}  // namespace tautline

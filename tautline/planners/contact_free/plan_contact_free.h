@@ -1,0 +1,60 @@
+// A path to the goal on which cable, robot and obstacles touch as little as possible: the search on a scene.
+#ifndef TAUTLINE_PLANNERS_CONTACT_FREE_PLAN_CONTACT_FREE_H_
+#define TAUTLINE_PLANNERS_CONTACT_FREE_PLAN_CONTACT_FREE_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tautline/base/stop.h"
+#include "tautline/planners/contact_free/contact_free_search.h"
+#include "tautline/planners/contact_free/driven_motion.h"
+#include "tautline/scene/scene.h"
+
+namespace tautline {
+
+/// What is asked besides the scene.
+struct ContactFreeOptions {
+  TetherEnvOptions env = {.max_steps = 5000};  ///< The robot, the cable, what contacts cost. No noise.
+  SearchCosts costs;                           ///< What else counts.
+  std::vector<double> margins_m = {0.1, 0};    ///< Kept from obstacles, as far as it goes: the first that does.
+  std::int64_t budget = 60'000;                ///< States that are expanded at most.
+  Watcher watch = {};                          ///< Told how far the search has come.
+};
+
+/// How the planning ended.
+enum class ContactFreeStatus : std::uint8_t { kSolved, kInfeasible, kBudgetExceeded };
+
+/// The plan, or why there is none.
+struct ContactFreeResult {
+  ContactFreeStatus status = ContactFreeStatus::kInfeasible;  ///< kInfeasible is a proof.
+  std::string reason;       ///< The slug of formats.md, "goal_blocked", ...; empty when solved.
+  std::string explanation;  ///< One sentence with the numbers when there is no plan.
+  DrivenMotion motion;      ///< As the environment drives it, contacts and costs included.
+  double cost = 0;          ///< Of the motion: its penalty and what its length counts.
+  double bound = 0;         ///< No motion to the goal costs less.
+  double shortest_m = 0;    ///< No motion to the goal is shorter, metres.
+  TautPath tether;          ///< The cable at the end pulled taut, base first.
+  std::int64_t expansions = 0;  ///< States that were expanded.
+  /// No motion has fewer contacts: there is none of either kind.
+  bool contacts_proved() const {
+    return motion.costs.cable_obstacle_steps == 0 && motion.costs.cable_robot_steps == 0;
+  }
+};
+
+/// Plans on the scene's world, tether and goal. Infeasible: robot or goal have no room, no way leads to the goal, the
+/// laid cable crosses an obstacle or is longer than all of it, or even the shortest tether to the goal is too long.
+/// Searches grow wider until one finds a motion without contacts or the budget is used up; the motion of least cost is
+/// the answer. Errors: the scene has no tether or no goal, or one that CheckTether or CheckGoal refuses, the world has
+/// no free space, or a number of the options makes no sense. Deterministic.
+[[nodiscard]] Expected<ContactFreeResult> PlanContactFree(const Scene& scene, const ContactFreeOptions& options = {});
+
+/// The environment in which a scene's robot sets out: a laid cable as it lies, a heading along the cable or, where none
+/// is laid, along the shortest way to the goal; contacts by `map`. Errors: as TetherEnv::Create.
+[[nodiscard]] Expected<TetherEnv> EnvOf(const Scene& scene, const ContactMap& map, double heading_rad,
+                                        const TetherEnvOptions& options);
+
+}  // namespace tautline
+
+#endif  // TAUTLINE_PLANNERS_CONTACT_FREE_PLAN_CONTACT_FREE_H_
