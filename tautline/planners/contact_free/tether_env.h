@@ -11,6 +11,7 @@
 #include "tautline/base/error.h"
 #include "tautline/cable/cable_chain.h"
 #include "tautline/planners/contact_free/contact_map.h"
+#include "tautline/scene/scene.h"
 
 namespace tautline {
 
@@ -59,6 +60,13 @@ struct TetherTask {
   Point goal;                         ///< For the robot's centre.
   Polyline waypoints;                 ///< Of the reference path, without its start. May be empty.
 };
+
+/// The task of a scene with a tether and a goal, and with the robot's heading where it says one; without way-points.
+/// Errors: those of RequireTetherAndGoal.
+[[nodiscard]] Expected<TetherTask> TaskOf(const Scene& scene);
+
+/// The options with the scene's radius, where it says one; the links are twice as long, as in the paper.
+TetherEnvOptions OptionsFor(const Scene& scene, TetherEnvOptions options = {});
 
 /// The pose of the robot.
 struct Pose {

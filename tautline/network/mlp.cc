@@ -1,0 +1,1 @@
+#include "tautline/network/mlp.h"
