@@ -121,13 +121,10 @@ Expected<int> RunPlan(const PlanCommand& command) {
 
 void AddContactFreeOptions(CLI::App& sub, CLI::Option& contact_free, PlanCommand& command) {
   ContactFreeOptions& options = command.contact_free_options;
-  sub.add_option("--robot-radius", options.env.robot_radius_m, "with --contact-free, of the robot's disc, metres")
+  sub.add_option("--robot-radius", command.robot_radius,
+                 "with --contact-free, of the robot's disc; default: the scene's, or 0.5")
+      ->type_name("METRES")
       ->check(Positive())
-      ->capture_default_str()
-      ->needs(&contact_free);
-  sub.add_option("--link", options.env.link_length_m, "with --contact-free, the length of the cable's links, metres")
-      ->check(Positive())
-      ->capture_default_str()
       ->needs(&contact_free);
   sub.add_option("--length-cost", options.costs.per_metre,
                  "with --contact-free, of a metre; a step with the cable at an obstacle costs 1")

@@ -20,6 +20,7 @@ struct PlanCommand {
   std::optional<double> resolution;  ///< Of the field, metres.
   std::int64_t field_classes = 1;
   bool contact_free = false;  ///< With a simulated cable that is to touch nothing.
+  std::optional<double> robot_radius;  ///< Instead of the scene's, metres.
   ContactFreeOptions contact_free_options;
 };
 

@@ -1,6 +1,8 @@
 // `tautline plan --contact-free`: a motion on which cable, robot and obstacles touch as little as possible.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "apps/answers/contact_free_answer.h"
 #include "apps/cli/describe.h"
 #include "apps/cli/plan_command.h"
@@ -34,18 +36,20 @@ std::string ToText(const ContactFreeAnswer& answer, double dt_s) {
 }  // namespace
 
 Expected<int> RunPlanContactFree(const PlanCommand& command) {
-  const auto scene = ReadScene(command.common);
+  auto scene = ReadScene(command.common);
   if (!scene) return tl::unexpected(scene.error());
+  if (command.robot_radius) scene->robot.radius = command.robot_radius;
   ProgressBar progress(!command.common.quiet);
   ContactFreeOptions options = command.contact_free_options;
+  options.budget = std::min(options.budget, command.options.budget);
   options.watch = progress.watcher();
   const auto answer = AnswerContactFree(*scene, options);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
   return Deliver(command.common, {.json = answer->json,
                                   .text = ToText(*answer, options.env.dt_s),
-                                  .draw = [&] { return DrawAnswer(*scene, options, *answer); },
-                                  .animate = [&] { return AnimateAnswer(*scene, options, *answer); },
+                                  .draw = [&] { return DrawAnswer(*scene, *answer); },
+                                  .animate = [&] { return AnimateAnswer(*scene, *answer); },
                                   .status = answer->status});
 }
 

@@ -5,21 +5,21 @@
 namespace tautline {
 namespace {
 
-ContactFreePicture PictureOf(const ContactFreeOptions& options, const ContactFreeAnswer& answer) {
+ContactFreePicture PictureOf(const ContactFreeAnswer& answer) {
   return {.motion = answer.result.motion,
-          .robot_radius_m = options.env.robot_radius_m,
-          .dt_s = options.env.dt_s,
+          .robot_radius_m = answer.result.env.robot_radius_m,
+          .dt_s = answer.result.env.dt_s,
           .explanation = answer.result.explanation};
 }
 
 }  // namespace
 
-std::string DrawAnswer(const Scene& scene, const ContactFreeOptions& options, const ContactFreeAnswer& answer) {
-  return DrawContactFree(scene, PictureOf(options, answer));
+std::string DrawAnswer(const Scene& scene, const ContactFreeAnswer& answer) {
+  return DrawContactFree(scene, PictureOf(answer));
 }
 
-std::string AnimateAnswer(const Scene& scene, const ContactFreeOptions& options, const ContactFreeAnswer& answer) {
-  return AnimateContactFree(scene, PictureOf(options, answer));
+std::string AnimateAnswer(const Scene& scene, const ContactFreeAnswer& answer) {
+  return AnimateContactFree(scene, PictureOf(answer));
 }
 
 }  // namespace tautline

@@ -9,10 +9,10 @@
 namespace tautline {
 
 /// As SVG: the motion; or the scene, where there is none.
-std::string DrawAnswer(const Scene& scene, const ContactFreeOptions& options, const ContactFreeAnswer& answer);
+std::string DrawAnswer(const Scene& scene, const ContactFreeAnswer& answer);
 
 /// The motion as a film; where there is none, a picture that stands still.
-std::string AnimateAnswer(const Scene& scene, const ContactFreeOptions& options, const ContactFreeAnswer& answer);
+std::string AnimateAnswer(const Scene& scene, const ContactFreeAnswer& answer);
 
 }  // namespace tautline
 
