@@ -12,7 +12,7 @@ namespace tautline {
 
 /// A path from the robot to the goal, and the tether that it leads to.
 struct ReferencePath {
-  Polyline path;               ///< From the robot to the goal, metres; taut.
+  Polyline path;               ///< From the robot to the goal, metres; taut, but for the paper's way.
   double length_m = 0;         ///< Of the path.
   Word word;                   ///< Of the path.
   Word tether_word;            ///< Of the cable at the goal: the laid one and the path.

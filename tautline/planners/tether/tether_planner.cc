@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "tautline/base/check.h"
+#include "tautline/homotopy/class_choice.h"
 #include "tautline/homotopy/goal_field.h"
-#include "tautline/planners/tether/class_choice.h"
 #include "tautline/planners/tether/crossing_free.h"
 #include "tautline/planners/tether/explain.h"
 #include "tautline/scene/check_tether.h"

@@ -1,4 +1,4 @@
-#include "tautline/planners/tether/class_choice.h"
+#include "tautline/homotopy/class_choice.h"
 
 #include <algorithm>
 #include <cmath>

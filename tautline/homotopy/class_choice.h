@@ -1,6 +1,6 @@
 // The choice of the goal's homotopy class: shortest path first, subject to the tether.
-#ifndef TAUTLINE_PLANNERS_TETHER_CLASS_CHOICE_H_
-#define TAUTLINE_PLANNERS_TETHER_CLASS_CHOICE_H_
+#ifndef TAUTLINE_HOMOTOPY_CLASS_CHOICE_H_
+#define TAUTLINE_HOMOTOPY_CLASS_CHOICE_H_
 
 #include <cstdint>
 #include <optional>
@@ -34,4 +34,4 @@ ClassChoice ChooseClass(const TautSpace& space, const Walk& laid, const GoalDist
 
 }  // namespace tautline
 
-#endif  // TAUTLINE_PLANNERS_TETHER_CLASS_CHOICE_H_
+#endif  // TAUTLINE_HOMOTOPY_CLASS_CHOICE_H_
