@@ -99,6 +99,7 @@ std::string ToText(const PlanResult& result, const FreeSpace& space) {
 Expected<int> RunPlan(const PlanCommand& command) {
   if (!command.goals.empty()) return RunPlanGoals(command);
   if (command.field) return RunPlanField(command);
+  if (command.contact_free) return RunPlanContactFree(command);
   const auto scene = ReadScene(command.common);
   if (!scene) return tl::unexpected(scene.error());
   ProgressBar progress(!command.common.quiet);
@@ -116,6 +117,25 @@ Expected<int> RunPlan(const PlanCommand& command) {
   const auto prepared = [&] { return PreparedFile::Write(answer->planner, scene->world); };
   return Deliver(command.common,
                  {.json = answer->json, .text = text, .draw = draw, .prepared = prepared, .status = answer->status});
+}
+
+void AddContactFreeOptions(CLI::App& sub, CLI::Option& contact_free, PlanCommand& command) {
+  ContactFreeOptions& options = command.contact_free_options;
+  sub.add_option("--robot-radius", command.robot_radius,
+                 "with --contact-free, of the robot's disc; default: the scene's, or 0.5")
+      ->type_name("METRES")
+      ->check(Positive())
+      ->needs(&contact_free);
+  sub.add_option("--length-cost", options.costs.per_metre,
+                 "with --contact-free, of a metre; a step with the cable at an obstacle costs 1")
+      ->check(NonNegative())
+      ->capture_default_str()
+      ->needs(&contact_free);
+  sub.add_option("--animate", command.common.animate,
+                 "with --contact-free, draw the motion to this SVG file, which moves in browsers")
+      ->type_name("FILE")
+      ->check(FileName())
+      ->needs(&contact_free);
 }
 
 }  // namespace
@@ -151,6 +171,10 @@ Run AddPlan(CLI::App& app) {
       ->check(AtLeastOne())
       ->capture_default_str()
       ->needs(field);
+  CLI::Option* contact_free = sub->add_flag("--contact-free", command->contact_free,
+                                            "a robot with a body drags a cable, which is to touch nothing");
+  contact_free->excludes(goals)->excludes(all)->excludes(crossing_free)->excludes(field);
+  AddContactFreeOptions(*sub, *contact_free, *command);
   sub->footer(
       "Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n"
       "  echo 3 2 | tautline plan scenes/two_ways.yaml --goals -\n"

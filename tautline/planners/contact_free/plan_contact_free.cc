@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "tautline/homotopy/classes.h"
-#include "tautline/scene/check_tether.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline {
@@ -28,20 +27,22 @@ double CostOf(const MotionCosts& costs, const SearchCosts& weights) {
 /// What all searches for one scene share.
 class Planning {
  public:
-  Planning(const Scene& scene, const ContactFreeOptions& options, FreeSpace free, FreeSpace grown)
+  Planning(const Scene& scene, const ContactFreeOptions& options, TetherTask task, FreeSpace free, FreeSpace grown)
       : scene_(scene),
         options_(options),
-        laid_(scene.tether->laid.value_or(Polyline{scene.tether->base})),
+        task_(std::move(task)),
+        laid_(task_.laid),
         map_(free, kMapCell),
         space_(std::move(free)),
         room_(std::move(grown)) {
-    options_.env.reward.use_reference = false;
-    options_.env.reward.goal = 0;
+    result_.env = options_.env;
   }
 
   Expected<ContactFreeResult> Run() {
     if (!IsRefused()) {
-      auto env = EnvOf(scene_, map_, HeadingOf(), options_.env);
+      // A robot on its base looks where it will go.
+      task_.waypoints = way_;
+      auto env = TetherEnv::Create(map_, task_, options_.env);
       if (!env) return tl::unexpected(env.error());
       Search(*env);
     }
@@ -100,14 +101,6 @@ class Planning {
     return true;
   }
 
-  double HeadingOf() const {
-    const auto angle = [](Point way) { return std::atan2(way.y, way.x); };
-    for (std::size_t i = laid_.size() - 1; i-- > 0;) {
-      if (laid_[i] != laid_.back()) return angle(laid_.back() - laid_[i]);
-    }
-    return way_.size() > 1 ? angle(way_[1] - way_[0]) : 0;
-  }
-
   void Search(const TetherEnv& env) {
     const double speed = env.options().speed_m_per_s;
     result_.shortest_m = std::max(0.0, Length(way_) - env.options().goal_radius_m);
@@ -138,7 +131,7 @@ class Planning {
       const auto space = BuildFreeSpace(scene_.world, {.clearance = scene_.world.clearance + margin_m});
       if (!space) return;
       wary_map.emplace(*space, kMapCell);
-      auto created = EnvOf(scene_, *wary_map, env.pose().heading_rad, env.options());
+      auto created = TetherEnv::Create(*wary_map, task_, options_.env);
       // Where the robot stands nearer to an obstacle than the margin, it cannot be kept.
       if (!created) return;
       wary = *std::move(created);
@@ -160,6 +153,7 @@ class Planning {
 
   const Scene& scene_;
   ContactFreeOptions options_;
+  TetherTask task_;
   Polyline laid_;
   ContactMap map_;
   TautSpace space_;  ///< For cables.
@@ -173,30 +167,23 @@ class Planning {
 
 }  // namespace
 
-Expected<TetherEnv> EnvOf(const Scene& scene, const ContactMap& map, double heading_rad,
-                          const TetherEnvOptions& options) {
-  return TetherEnv::Create(map,
-                           {.laid = scene.tether->laid.value_or(Polyline{scene.tether->base}),
-                            .heading_rad = heading_rad,
-                            .cable_length_m = scene.tether->length,
-                            .goal = *scene.goal,
-                            .waypoints = {}},
-                           options);
-}
-
 Expected<ContactFreeResult> PlanContactFree(const Scene& scene, const ContactFreeOptions& options) {
-  if (const auto checked = RequireTetherAndGoal(scene); !checked) return tl::unexpected(checked.error());
+  auto task = TaskOf(scene);
+  if (!task) return tl::unexpected(task.error());
   auto free = BuildFreeSpace(scene.world);
   if (!free) return tl::unexpected(free.error());
-  auto grown = BuildFreeSpace(scene.world,
-                              {.clearance = scene.world.clearance + kGrowth * options.env.robot_radius_m});
+  ContactFreeOptions with = options;
+  with.env = OptionsFor(scene, options.env);
+  with.env.reward.use_reference = false;
+  with.env.reward.goal = 0;
+  const double radius = with.env.robot_radius_m;
+  auto grown = BuildFreeSpace(scene.world, {.clearance = scene.world.clearance + kGrowth * radius});
   if (!grown) {
-    ContactFreeResult nowhere;
-    nowhere.reason = "start_blocked";
-    nowhere.explanation = "the robot's disc of " + Metres(options.env.robot_radius_m) + " fits nowhere";
-    return nowhere;
+    return ContactFreeResult{.reason = "start_blocked",
+                             .explanation = "the robot's disc of " + Metres(radius) + " fits nowhere",
+                             .env = with.env};
   }
-  return Planning(scene, options, *std::move(free), *std::move(grown)).Run();
+  return Planning(scene, with, *std::move(task), *std::move(free), *std::move(grown)).Run();
 }
 
 }  // namespace tautline

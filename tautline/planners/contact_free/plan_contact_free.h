@@ -16,7 +16,8 @@ namespace tautline {
 
 /// What is asked besides the scene.
 struct ContactFreeOptions {
-  TetherEnvOptions env = {.max_steps = 5000};  ///< The robot, the cable, what contacts cost. No noise.
+  /// The robot, the cable, what contacts cost. No noise; the scene's radius replaces this one.
+  TetherEnvOptions env = {.max_steps = 5000};
   SearchCosts costs;                           ///< What else counts.
   std::vector<double> margins_m = {0.1, 0};    ///< Kept from obstacles, as far as it goes: the first that does.
   std::int64_t budget = 60'000;                ///< States that are expanded at most.
@@ -31,6 +32,7 @@ struct ContactFreeResult {
   ContactFreeStatus status = ContactFreeStatus::kInfeasible;  ///< kInfeasible is a proof.
   std::string reason;       ///< The slug of formats.md, "goal_blocked", ...; empty when solved.
   std::string explanation;  ///< One sentence with the numbers when there is no plan.
+  TetherEnvOptions env;     ///< The environment that was planned in: the scene's radius, no goal reward.
   DrivenMotion motion;      ///< As the environment drives it, contacts and costs included.
   double cost = 0;          ///< Of the motion: its penalty and what its length counts.
   double bound = 0;         ///< No motion to the goal costs less.
@@ -46,14 +48,9 @@ struct ContactFreeResult {
 /// Plans on the scene's world, tether and goal. Infeasible: robot or goal have no room, no way leads to the goal, the
 /// laid cable crosses an obstacle or is longer than all of it, or even the shortest tether to the goal is too long.
 /// Searches grow wider until one finds a motion without contacts or the budget is used up; the motion of least cost is
-/// the answer. Errors: the scene has no tether or no goal, or one that CheckTether or CheckGoal refuses, the world has
-/// no free space, or a number of the options makes no sense. Deterministic.
+/// the answer. Errors: those of RequireTetherAndGoal and BuildFreeSpace, or a number of the options makes no sense.
+/// Deterministic.
 [[nodiscard]] Expected<ContactFreeResult> PlanContactFree(const Scene& scene, const ContactFreeOptions& options = {});
-
-/// The environment in which a scene's robot sets out: a laid cable as it lies, a heading along the cable or, where none
-/// is laid, along the shortest way to the goal; contacts by `map`. Errors: as TetherEnv::Create.
-[[nodiscard]] Expected<TetherEnv> EnvOf(const Scene& scene, const ContactMap& map, double heading_rad,
-                                        const TetherEnvOptions& options);
 
 }  // namespace tautline
 

@@ -57,7 +57,7 @@ class ClassSearch {
 
   bool Start() {
     const auto from = space_.Locate(graph_.point(query_.from)), to = space_.Locate(graph_.point(query_.to));
-    if (!from || !to || !space_.mesh().Connected(*from, *to)) return false;
+    if (!from || !to || !space_.mesh().Connected(*from, *to) || !HasAllLetters()) return false;
     const auto taut = FindWordPath(space_, *from, *to, query_.word);
     if (!taut) return false;
     const Polyline back(taut->points.rbegin(), taut->points.rend());
@@ -66,6 +66,13 @@ class ClassSearch {
     limit_ = query_.stretch * taut->length + query_.slack_m;
     Reach(query_.from, Number(Word()), 0, 0, *std::move(rest));
     return true;
+  }
+
+  /// An obstacle that merged with a wall in this space has no letter.
+  bool HasAllLetters() const {
+    const auto letters = query_.word.letters();
+    return std::all_of(letters.begin(), letters.end(),
+                       [&](Letter letter) { return letter.obstacle.index() < space_.rays().names().size(); });
   }
 
   std::size_t Number(const Word& word) {

@@ -22,8 +22,9 @@ struct ShortestInClassQuery {
 
 /// The shortest path along the edges of `graph` whose reduced word is `query.word`: Dijkstra's algorithm over (node,
 /// word) [Kim2014], led by a bound that never errs, the taut length of what is left of the class. So few words but
-/// those of the class are ever looked at. Nothing when the graph has no such path up to the length said, or the search
-/// gave up. Requires that all edges lie in the closed free space. O(log + length of a sleeve) per edge of a state.
+/// those of the class are ever looked at. Nothing when the graph has no such path up to the length said, a letter of
+/// the word is none of the space's, or the search gave up. Requires that all edges lie in the closed free space. O(log
+/// + length of a sleeve) per edge of a state.
 std::optional<Polyline> ShortestInClass(const TautSpace& space, const PathGraph& graph,
                                         const ShortestInClassQuery& query);
 

@@ -218,7 +218,8 @@ bool TetherEnv::CableIsUnderRobot() const {
   double along_m = 0;
   for (std::size_t i = nodes.size() - 1; i-- > 0;) {
     along_m += i > 0 ? link : cable_.paid_out_m() - along_m;
-    if (along_m <= radius) continue;
+    // On the base, the only link is as long as the radius, up to rounding.
+    if (along_m <= radius * (1 + 1e-9)) continue;
     const Point off = nodes[i] - pose_.at;
     if (Dot(off, off) <= radius * radius) return true;
   }

@@ -1,0 +1,1 @@
+#include "tautline/planners/contact_free/contact_free_search.h"

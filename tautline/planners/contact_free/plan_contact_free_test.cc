@@ -1,0 +1,1 @@
+#include "tautline/planners/contact_free/plan_contact_free.h"
