@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -15,25 +15,26 @@ namespace {
 
 /// What is lost by hitting an obstacle or being held, for the look ahead: more than contacts can cost.
 constexpr double kEndOfTheWay = 100;
+/// A point that is farther to the side than this, or behind, is turned to on the spot.
+constexpr double kTurnFrom = 0.45 * std::numbers::pi;
+/// A velocity that is tried is kept for so many steps; then the intent is pursued again.
+constexpr int kHeldSteps = 4;
 
-/// What the choice costs over the next steps, straight on after the first where it turns on the spot.
-double CostAhead(TetherEnv env, const Velocity& velocity, int steps) {
-  double cost = 0;
-  for (int k = 0; k < steps; ++k) {
-    const EnvStep step = env.StepWith(velocity.speed_m_per_s, velocity.turn_rad_per_s);
-    // The sooner, the worse.
-    if (step.robot_obstacle || step.held) return cost + kEndOfTheWay * (steps - k) / steps;
-    if (step.at_goal) return cost;
-    cost += (step.cable_obstacle ? -env.options().reward.cable_obstacle : 0) +
-            (step.cable_robot ? -env.options().reward.cable_robot : 0);
-    if (step.cut) break;
-  }
-  return cost / steps;
+double AngleTo(const Pose& pose, Point p) {
+  const Point off = p - pose.at;
+  return std::remainder(std::atan2(off.y, off.x) - pose.heading_rad, 2 * std::numbers::pi);
 }
 
-}  // namespace
+/// Along the arc to the point [Coulter1992], no tighter than the robot turns at its speed.
+Velocity Pursue(const Pose& pose, Point p, const TetherEnvOptions& options) {
+  const double angle = AngleTo(pose, p), turn = options.turn_rad_per_s;
+  if (std::abs(angle) > kTurnFrom) return {0, angle > 0 ? turn : -turn};
+  const double curvature = 2 * std::sin(angle) / std::max(Distance(pose.at, p), 0.1 * options.robot_radius_m);
+  return {options.speed_m_per_s, std::clamp(options.speed_m_per_s * curvature, -turn, turn)};
+}
 
-std::array<Velocity, kDriverChoices> DriverChoices(const TetherEnvOptions& options) {
+/// Straight on, arcs of three radii to either side, turns on the spot.
+std::array<Velocity, 9> Alternatives(const TetherEnvOptions& options) {
   const double speed = options.speed_m_per_s, turn = options.turn_rad_per_s;
   return {Velocity{speed, 0},
           {speed, 0.25 * turn},
@@ -46,60 +47,115 @@ std::array<Velocity, kDriverChoices> DriverChoices(const TetherEnvOptions& optio
           {0, -turn}};
 }
 
-int ChoiceOf(const Velocity& velocity, const TetherEnvOptions& options) {
-  const auto choices = DriverChoices(options);
-  const auto off = [&](const Velocity& choice) {
-    return std::abs(choice.speed_m_per_s - velocity.speed_m_per_s) / std::max(1e-9, options.speed_m_per_s) +
-           std::abs(choice.turn_rad_per_s - velocity.turn_rad_per_s) / std::max(1e-9, options.turn_rad_per_s);
-  };
-  const auto best = std::min_element(choices.begin(), choices.end(),
-                                     [&](const Velocity& a, const Velocity& b) { return off(a) < off(b); });
-  return static_cast<int>(best - choices.begin());
+/// Both points of an intent in the plane.
+std::array<Point, 2> PlacesOf(const DriverIntent& intent, const TetherEnv& env) {
+  const Pose& pose = env.pose();
+  const double unit = kIntentAhead[1] * env.options().robot_radius_m;
+  const Point ahead{std::cos(pose.heading_rad), std::sin(pose.heading_rad)}, left{-ahead.y, ahead.x};
+  std::array<Point, 2> places;
+  for (std::size_t i = 0; i < 2; ++i) {
+    places[i] =
+        pose.at + unit * (static_cast<double>(intent[2 * i]) * ahead + static_cast<double>(intent[2 * i + 1]) * left);
+  }
+  return places;
+}
+
+/// What it costs to keep a velocity for a while and then to pursue the points one after the other.
+double CostAhead(TetherEnv env, Velocity velocity, const std::array<Point, 2>& places, int steps) {
+  const TetherEnvOptions options = env.options();
+  double cost = 0;
+  bool passed = false;
+  for (int k = 0; k < steps; ++k) {
+    if (k >= kHeldSteps) {
+      passed = passed || Distance(env.pose().at, places[0]) <= options.robot_radius_m;
+      velocity = Pursue(env.pose(), places[passed ? 1 : 0], options);
+    }
+    const EnvStep step = env.StepWith(velocity.speed_m_per_s, velocity.turn_rad_per_s);
+    // The sooner, the worse.
+    if (step.robot_obstacle || step.held) return cost + kEndOfTheWay * (steps - k) / steps;
+    cost -=
+        (step.cable_obstacle ? options.reward.cable_obstacle : 0) + (step.cable_robot ? options.reward.cable_robot : 0);
+    if (step.ends()) break;
+  }
+  return cost / steps;
+}
+
+}  // namespace
+
+DriverIntent IntentOf(const Pose& pose, std::span<const Point> way, double robot_radius_m) {
+  DriverIntent intent{};
+  const double unit = kIntentAhead[1] * robot_radius_m;
+  const Point ahead{std::cos(pose.heading_rad), std::sin(pose.heading_rad)};
+  for (std::size_t i = 0; i < 2; ++i) {
+    double left_m = kIntentAhead[i] * robot_radius_m;
+    Point at = pose.at;
+    for (const Point p : way) {
+      const double step = Distance(at, p);
+      if (step >= left_m) {
+        if (step > 0) at = Lerp(at, p, left_m / step);
+        break;
+      }
+      left_m -= step;
+      at = p;
+    }
+    const Point off = (1 / unit) * (at - pose.at);
+    intent[2 * i] = static_cast<float>(Dot(ahead, off));
+    intent[2 * i + 1] = static_cast<float>(Cross(ahead, off));
+  }
+  return intent;
 }
 
 DriverPolicy::DriverPolicy(const Mlp& network, const Kernels& kernels, const DriverOptions& options)
     : network_(network), pass_(network.widths(), 1, kernels), options_(options) {
-  TAUTLINE_CHECK(network.inputs() == kViewSize && network.outputs() == kDriverChoices);
+  TAUTLINE_CHECK(network.inputs() == kViewSize && network.outputs() == kIntentSize);
 }
 
 Expected<DriverPolicy> DriverPolicy::Read(std::string_view bytes, const std::string& name, const Kernels& kernels,
                                           const DriverOptions& options) {
   const auto model = ReadOnnx(bytes, name);
   if (!model) return tl::unexpected(model.error());
-  if (model->network.inputs() != kViewSize || model->network.outputs() != kDriverChoices) {
+  if (model->network.inputs() != kViewSize || model->network.outputs() != kIntentSize) {
     return InvalidInput("a network of " + std::to_string(model->network.inputs()) + " inputs and " +
                             std::to_string(model->network.outputs()) +
                             " outputs is no policy for all maps, which has " + std::to_string(kViewSize) + " and " +
-                            std::to_string(kDriverChoices) + ": take one that `learn imitate` wrote",
+                            std::to_string(kIntentSize) + ": take one that `learn imitate` wrote",
                         name);
   }
   return DriverPolicy(model->network, kernels, options);
 }
 
-int DriverPolicy::Choose(const TetherEnv& env, std::size_t waypoint) {
-  const DriverView view = LookAround(env, waypoint);
-  const std::span<const float> values = pass_.Forward(network_, view);
-  const auto choices = DriverChoices(env.options());
-  int best = 0;
-  double best_value = -std::numeric_limits<double>::infinity();
-  for (int k = 0; k < kDriverChoices; ++k) {
-    double value = values[static_cast<std::size_t>(k)];
-    if (options_.look_ahead_steps > 0) {
-      value -= options_.caution * CostAhead(env, choices[static_cast<std::size_t>(k)], options_.look_ahead_steps);
-    }
-    if (value > best_value) best = k, best_value = value;
+DriverIntent DriverPolicy::Want(const TetherEnv& env, std::size_t waypoint) {
+  DriverIntent intent;
+  const std::span<const float> values = pass_.Forward(network_, LookAround(env, waypoint));
+  std::copy(values.begin(), values.end(), intent.begin());
+  return intent;
+}
+
+Velocity DriverPolicy::Choose(const TetherEnv& env, std::size_t waypoint) {
+  const std::array<Point, 2> places = PlacesOf(Want(env, waypoint), env);
+  const TetherEnvOptions& with = env.options();
+  const Velocity wanted = Pursue(env.pose(), places[0], with);
+  if (options_.look_ahead_steps <= 0) return wanted;
+  Velocity best = wanted;
+  double least = options_.caution * CostAhead(env, wanted, places, options_.look_ahead_steps);
+  if (least <= 0) return wanted;
+  for (const Velocity& other : Alternatives(with)) {
+    const double turn = std::abs(other.turn_rad_per_s - wanted.turn_rad_per_s) / with.turn_rad_per_s;
+    const double off = turn + (other.speed_m_per_s == wanted.speed_m_per_s ? 0 : 1);
+    if (off >= least) continue;
+    const double cost = off + options_.caution * CostAhead(env, other, places, options_.look_ahead_steps);
+    if (cost < least) best = other, least = cost;
   }
   return best;
 }
 
 DrivenMotion DriverPolicy::Drive(TetherEnv env) {
   const TetherEnv start = env;
-  const auto choices = DriverChoices(env.options());
   std::vector<Velocity> velocities;
   std::size_t waypoint = 0;
   for (EnvStep step; !step.ends() && !step.held;) {
     waypoint = AdvanceAlong(env, waypoint);
-    velocities.push_back(choices[static_cast<std::size_t>(Choose(env, waypoint))]);
+    velocities.push_back(Choose(env, waypoint));
     step = env.StepWith(velocities.back().speed_m_per_s, velocities.back().turn_rad_per_s);
   }
   return DriveMotion(start, velocities);

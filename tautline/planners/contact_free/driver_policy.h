@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,37 +15,39 @@
 
 namespace tautline {
 
-/// How many velocities it chooses among: straight on, arcs of three radii to either side, turns on the spot.
-inline constexpr int kDriverChoices = 9;
+/// What the network says: two points of the way that it wants to take, so far along it, robot radii.
+inline constexpr std::array<double, 2> kIntentAhead = {1.5, 4};
+/// As numbers: both points in the robot's frame, in units of the farther distance.
+inline constexpr int kIntentSize = 4;
+using DriverIntent = std::array<float, kIntentSize>;
 
-/// Them, for a robot of these options, by number.
-std::array<Velocity, kDriverChoices> DriverChoices(const TetherEnvOptions& options);
-
-/// The number of the choice that is nearest to a velocity.
-int ChoiceOf(const Velocity& velocity, const TetherEnvOptions& options);
+/// The intent of a robot that will follow `way` from its pose on.
+DriverIntent IntentOf(const Pose& pose, std::span<const Point> way, double robot_radius_m);
 
 /// How a policy drives.
 struct DriverOptions {
-  /// Steps ahead for which a choice is tried on a copy before it is made; 0: the network alone decides.
-  int look_ahead_steps = 6;
-  /// What a penalty found there counts against the network's preference, by the unit of its outputs.
-  double caution = 3;
+  /// Steps ahead for which velocities are tried on a copy before one is chosen; 0: the network alone decides.
+  int look_ahead_steps = 14;
+  /// What a contact in each of these steps counts, in half circles of a turn that the network does not want.
+  double caution = 4;
 };
 
 /// The policy. A copy of the network and scratch; not for two threads at a time. Deterministic for its kernels.
 class DriverPolicy {
  public:
-  /// Requires a network of kViewSize inputs and kDriverChoices outputs. Keeps a reference to the kernels.
+  /// Requires a network of kViewSize inputs and kIntentSize outputs. Keeps a reference to the kernels.
   DriverPolicy(const Mlp& network, const Kernels& kernels, const DriverOptions& options = {});
 
   /// Reads an ONNX file that WriteOnnx wrote. Errors: as ReadOnnx, or a network of another shape; `name` says where.
   static Expected<DriverPolicy> Read(std::string_view bytes, const std::string& name, const Kernels& kernels,
                                      const DriverOptions& options = {});
 
-  /// The choice for where the robot stands, `waypoint` as LookAround has it. Of the network's preferences, less what
-  /// the next steps would cost; never one that hits an obstacle or is held at once where another is not. Well below a
-  /// millisecond.
-  int Choose(const TetherEnv& env, std::size_t waypoint);
+  /// Where the network wants to go from where the robot stands, `waypoint` as LookAround has it.
+  DriverIntent Want(const TetherEnv& env, std::size_t waypoint);
+
+  /// The velocity for the next step: that which pursues what the network wants, or another one where that leads to
+  /// contacts soon; never one that hits an obstacle at once where another does not. Well below a millisecond.
+  Velocity Choose(const TetherEnv& env, std::size_t waypoint);
 
   /// Drives from where the environment is until the episode ends. O(steps).
   DrivenMotion Drive(TetherEnv env);

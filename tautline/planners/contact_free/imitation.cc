@@ -61,20 +61,37 @@ void Note(const Scene& scene, const DrivenMotion& motion, const CollectOptions& 
   if (!created) return;
   TetherEnv env = *std::move(created);
   std::size_t waypoint = 0;
-  for (const Velocity& velocity : motion.velocities) {
+  const Polyline way = motion.Path();
+  for (std::size_t k = 0; k < motion.velocities.size(); ++k) {
     waypoint = AdvanceAlong(env, waypoint);
     const DriverView view = LookAround(env, waypoint);
+    const DriverIntent intent = IntentOf(env.pose(), std::span(way).subspan(k), env.options().robot_radius_m);
     notes.views.insert(notes.views.end(), view.begin(), view.end());
-    notes.choices.push_back(ChoiceOf(velocity, env.options()));
-    if (env.StepWith(velocity.speed_m_per_s, velocity.turn_rad_per_s).ends()) break;
+    notes.intents.insert(notes.intents.end(), intent.begin(), intent.end());
+    if (env.StepWith(motion.velocities[k].speed_m_per_s, motion.velocities[k].turn_rad_per_s).ends()) break;
   }
+}
+
+/// Puts a demonstration, or its mirror image, at the end of a batch.
+void AddSample(const Demonstrations& from, std::size_t which, Rng& rng, std::vector<float>& views,
+               std::vector<float>& intents) {
+  DriverView view;
+  DriverIntent intent;
+  std::copy_n(from.views.begin() + static_cast<std::ptrdiff_t>(which * kViewSize), kViewSize, view.begin());
+  std::copy_n(from.intents.begin() + static_cast<std::ptrdiff_t>(which * kIntentSize), kIntentSize, intent.begin());
+  if (rng.Next() % 2 == 1) {
+    view = Mirrored(view);
+    intent = Mirrored(intent);
+  }
+  views.insert(views.end(), view.begin(), view.end());
+  intents.insert(intents.end(), intent.begin(), intent.end());
 }
 
 }  // namespace
 
 void Demonstrations::Append(const Demonstrations& others) {
   views.insert(views.end(), others.views.begin(), others.views.end());
-  choices.insert(choices.end(), others.choices.begin(), others.choices.end());
+  intents.insert(intents.end(), others.intents.begin(), others.intents.end());
 }
 
 std::optional<Course> MakeCourse(const Scene& scene, const TetherEnvOptions& given) {
@@ -135,14 +152,14 @@ DriverView Mirrored(const DriverView& view) {
   return mirrored;
 }
 
-int MirroredChoice(int choice) { return choice == 0 ? 0 : choice % 2 == 1 ? choice + 1 : choice - 1; }
+DriverIntent Mirrored(const DriverIntent& intent) { return {intent[0], -intent[1], intent[2], -intent[3]}; }
 
 Mlp Imitate(const Demonstrations& demonstrations, const ImitationOptions& options, const Kernels& kernels) {
   TAUTLINE_CHECK(demonstrations.size() > 0 && options.batch > 0);
   Rng rng(options.seed);
   std::vector<int> widths = {kViewSize};
   widths.insert(widths.end(), options.hidden.begin(), options.hidden.end());
-  widths.push_back(kDriverChoices);
+  widths.push_back(kIntentSize);
   Mlp network = Mlp::Random(widths, rng);
   MlpPass pass(widths, options.batch, kernels);
   std::vector<std::size_t> order(demonstrations.size());
@@ -156,20 +173,10 @@ Mlp Imitate(const Demonstrations& demonstrations, const ImitationOptions& option
     double loss = 0;
     for (std::size_t first = 0; first < order.size(); first += static_cast<std::size_t>(options.batch)) {
       const std::size_t count = std::min(order.size() - first, static_cast<std::size_t>(options.batch));
-      std::vector<float> views;
-      std::vector<int> choices;
-      for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t which = order[first + k];
-        DriverView view;
-        std::copy_n(demonstrations.views.begin() + static_cast<std::ptrdiff_t>(which * kViewSize), kViewSize,
-                    view.begin());
-        const bool mirror = rng.Next() % 2 == 1;
-        if (mirror) view = Mirrored(view);
-        views.insert(views.end(), view.begin(), view.end());
-        choices.push_back(mirror ? MirroredChoice(demonstrations.choices[which]) : demonstrations.choices[which]);
-      }
-      std::vector<float> slopes(count * kDriverChoices);
-      loss += static_cast<double>(count) * CrossEntropyLoss(pass.Forward(network, views), choices, slopes);
+      std::vector<float> views, intents;
+      for (std::size_t k = 0; k < count; ++k) AddSample(demonstrations, order[first + k], rng, views, intents);
+      std::vector<float> slopes(count * kIntentSize);
+      loss += static_cast<double>(count) * MeanSquareLoss(pass.Forward(network, views), intents, slopes);
       const std::span<const float> gradient = pass.Backward(network, slopes);
       adam.Step(network.parameters(), gradient, ClipScale(kernels.square_sum(gradient.data(), gradient.size()), kClip));
     }

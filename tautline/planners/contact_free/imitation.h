@@ -14,13 +14,13 @@
 
 namespace tautline {
 
-/// What was seen and what the search did then.
+/// What was seen, and where the search went then.
 struct Demonstrations {
-  std::vector<float> views;  ///< kViewSize numbers each.
-  std::vector<int> choices;  ///< Of DriverChoices.
+  std::vector<float> views;    ///< kViewSize numbers each.
+  std::vector<float> intents;  ///< kIntentSize numbers each.
 
   /// How many.
-  std::size_t size() const { return choices.size(); }
+  std::size_t size() const { return views.size() / kViewSize; }
   /// Puts others behind these.
   void Append(const Demonstrations& others);
 };
@@ -60,13 +60,13 @@ struct ImitationOptions {
   std::function<bool(int epoch, double loss)> progress = {};  ///< Told after each epoch; false stops.
 };
 
-/// A network that chooses as the demonstrations do: cross-entropy, each seen as it is and in a mirror by chance. The
+/// A network that wants what the demonstrations do: least squares, each seen as it is and in a mirror by chance. The
 /// same seed and kernels give the same bytes. Requires a demonstration. O(epochs * demonstrations * weights).
 Mlp Imitate(const Demonstrations& demonstrations, const ImitationOptions& options, const Kernels& kernels);
 
-/// A view as it would be in a mirror along the robot's heading, and the choice that belongs to it.
+/// A view as it would be in a mirror along the robot's heading, and the intent that belongs to it.
 DriverView Mirrored(const DriverView& view);
-int MirroredChoice(int choice);
+DriverIntent Mirrored(const DriverIntent& intent);
 
 }  // namespace tautline
 
