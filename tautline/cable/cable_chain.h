@@ -12,15 +12,16 @@ namespace tautline {
 
 /// How a chain is made.
 struct CableChainOptions {
-  double length_m = 0;       ///< All of the cable, with what is on the reel. Positive and finite.
-  double link_length_m = 1;  ///< From node to node. Positive. The unit links of [Shimada2024].
-  double tolerance_m = 1e-3; ///< The two passes are repeated until the last node is this near to the robot.
-  int max_rounds = 20;       ///< So often at most.
+  double length_m = 0;        ///< All of the cable, with what is on the reel. Positive and finite.
+  double link_length_m = 1;   ///< From node to node. Positive. The unit links of [Shimada2024].
+  double tolerance_m = 1e-3;  ///< The two passes are repeated until the last node is this near to the robot.
+  int max_rounds = 20;        ///< So often at most.
 };
 
 /// A cable from its base to the robot's tail. Links have their length, except the first: it grows as the reel pays out,
-/// and may be slack. When the first link is as long as a link, a node enters at the base. Deterministic; a copy goes on
-/// independently. [Shimada2024, Eqs. 6, 7]
+/// and may be slack. When it is as long as a link, a node enters at the base. Near its full length the passes come to
+/// their end slowly, and folded rods may be stuck: then the last link may be stretched by a hundredth, or be shorter.
+/// Deterministic; a copy goes on independently. [Shimada2024, Eqs. 6, 7]
 class CableChain {
  public:
   /// Laid along a polyline from base to tail; the rest is on the reel. Requires a point, finite points, and a polyline
@@ -28,7 +29,8 @@ class CableChain {
   CableChain(std::span<const Point> laid, const CableChainOptions& options);
 
   /// Pulls the last node to a point, and all others after it: from the tail on [Eq. 6], and, where the reel is empty,
-  /// from the base on [Eq. 7], until both ends hold. False where the cable is too short; nothing moves then. Requires
+  /// from the base on [Eq. 7], until both ends hold; pulls are made longer by what the base
+  /// took back of the one before. False where the cable is too short; nothing moves then. Requires
   /// a finite point. O(nodes * rounds).
   bool Pull(Point to);
 
@@ -39,17 +41,19 @@ class CableChain {
   /// Where the robot pulls.
   Point tail() const { return nodes_.back(); }
   /// How much cable lies on the floor, metres.
-  double paid_out_m() const {
-    return first_link_m_ + options_.link_length_m * static_cast<double>(nodes_.size() - 2);
-  }
+  double paid_out_m() const { return first_link_m_ + options_.link_length_m * static_cast<double>(nodes_.size() - 2); }
   /// How it was made.
   const CableChainOptions& options() const { return options_; }
 
  private:
+  void FollowTail(Point to);
+  bool PayOut();
+  void FollowBase();
+
   CableChainOptions options_;
   std::vector<Point> nodes_;
-  double first_link_m_ = 0;
-  std::vector<Point> before_;  ///< Scratch of Pull.
+  double first_link_m_ = 0;    ///< As long as it may become; never longer than a link.
+  std::vector<Point> before_;  ///< Where the nodes were, for motions that are refused.
 };
 
 }  // namespace tautline

@@ -64,6 +64,12 @@ struct Tether {
   std::optional<Polyline> laid;  ///< The cable as it lies, base first, robot last; absent: the robot is at the base.
 };
 
+/// What the one tethered robot is like, for planners that need more than a point.
+struct RobotBody {
+  std::optional<double> radius;   ///< Of its disc, metres; positive.
+  std::optional<double> heading;  ///< Where it looks now, radians, counter-clockwise from the x axis.
+};
+
 /// A robot moved by several cables.
 struct Cables {
   std::vector<Point> anchors;                 ///< Control points in order around the outline.
@@ -105,6 +111,7 @@ struct Scene {
   std::string path;                    ///< The file it came from; empty when built in memory.
   World world;                         ///< Where everything happens.
   std::optional<Tether> tether;        ///< Of the one tethered robot.
+  RobotBody robot;                     ///< That robot.
   std::optional<Point> goal;           ///< Of the one robot, metres.
   std::optional<Cables> cables;        ///< Of a robot that cables move.
   std::vector<Point> tasks;            ///< Places that a workspace is to hold, metres.

@@ -34,11 +34,12 @@ class SceneReader {
   void ReadAll(const Document& document) {
     RefuseMap(document);
     reader_.KnownKeys(document, "the scene",
-                      {"world", "tether", "goal", "cables", "tasks", "max_boundary", "futures", "fleet"});
+                      {"world", "tether", "robot", "goal", "cables", "tasks", "max_boundary", "futures", "fleet"});
     RequireWorld(document);
     if (const Document* value = document.Find("world")) scene_.world = ReadWorld(*value, reader_, load_map_);
     same_m_ = SamePointTolerance(BoundingBox(scene_.world.outline));
     if (const Document* value = document.Find("tether")) ReadTether(*value);
+    if (const Document* value = document.Find("robot")) ReadRobot(*value);
     if (const Document* value = document.Find("goal")) scene_.goal = reader_.ReadPoint(*value, "goal");
     if (const Document* value = document.Find("cables")) ReadCables(*value);
     if (const Document* value = document.Find("tasks")) scene_.tasks = reader_.ReadPoints(*value, "tasks", 0);
@@ -60,7 +61,7 @@ class SceneReader {
 
   void RequireWorld(const Document& document) {
     if (document.Find("world") != nullptr) return;
-    for (const std::string_view key : {"tether", "goal", "cables", "tasks", "futures"}) {
+    for (const std::string_view key : {"tether", "robot", "goal", "cables", "tasks", "futures"}) {
       if (document.Find(key) == nullptr) continue;
       reader_.Fail(document.Find(key)->position,
                    "the scene has '" + std::string(key) + "' but no 'world': add one with an outline or a map");
@@ -92,6 +93,17 @@ class SceneReader {
       if (reader_.ok()) Join(tether.laid->front(), tether.base, laid->position, "tether.laid must start at the base,");
     }
     scene_.tether = std::move(tether);
+  }
+
+  void ReadRobot(const Document& value) {
+    if (!reader_.IsMap(value, "robot")) return;
+    reader_.KnownKeys(value, "robot", {"radius", "heading"});
+    if (const Document* radius = value.Find("radius")) {
+      scene_.robot.radius = reader_.ReadPositive(*radius, "robot.radius");
+    }
+    if (const Document* heading = value.Find("heading")) {
+      scene_.robot.heading = reader_.ReadNumber(*heading, "robot.heading");
+    }
   }
 
   void ReadCables(const Document& value) {

@@ -183,6 +183,15 @@ TEST(ReadScene, UnknownKeysAreErrors) {
   EXPECT_EQ(ErrorOf(InRoom(R"("zebra": 1)")).substr(0, 53), "s.json:3: unknown key 'zebra' in the scene: known are");
 }
 
+TEST(ReadScene, ReadsTheBodyOfTheRobot) {
+  const auto scene = Read(InRoom(R"("robot": {"radius": 0.3, "heading": -1.5})"));
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->robot.radius, 0.3);
+  EXPECT_EQ(scene->robot.heading, -1.5);
+  EXPECT_FALSE(Read(InRoom(R"("robot": {})"))->robot.radius);
+  EXPECT_EQ(ErrorOf(InRoom(R"("robot": {"radius": 0})")), "s.json:3: robot.radius is 0: it must be larger than 0");
+}
+
 TEST(ReadScene, RefusesWrongKinds) {
   EXPECT_EQ(ErrorOf("[1]"), "s.json:1: a scene must be a map of keys and values, not a list of 1");
   EXPECT_EQ(ErrorOf(InRoom(R"("goal": 5)")), "s.json:3: goal must be a point [x, y], not the number 5");

@@ -6,27 +6,27 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "tautline/base/rng.h"
+#include "tautline/base/error.h"
 #include "tautline/cable/cable_chain.h"
 #include "tautline/planners/contact_free/contact_map.h"
+#include "tautline/scene/scene.h"
 
 namespace tautline {
 
 /// What a step is worth; the defaults are those of [Shimada2024, Sec. 4.3].
 struct RewardOptions {
-  double goal = 50;                  ///< For reaching the goal.
-  double robot_obstacle = -1;        ///< For hitting an obstacle; the episode ends.
-  double cable_obstacle = -1;        ///< For a step after which the cable touches an obstacle.
-  double cable_robot = -0.5;         ///< For a step after which the robot stands on its cable.
-  double rotation = -0.1;            ///< For a step that turns on the spot.
-  double time = -0.001;              ///< For every step.
-  double progress = 50;              ///< Shared evenly among the way-points, each paid once an episode.
-  double deviation = -1;             ///< For each metre by which the nearest way-point is too far away.
-  double deviation_from_radii = 2.5; ///< Too far begins here, robot radii.
-  bool use_reference = true;         ///< Whether progress and deviation count. [Shimada2024, Sec. 6.3.4]
+  double goal = 50;                   ///< For reaching the goal.
+  double robot_obstacle = -1;         ///< For hitting an obstacle; the episode ends.
+  double cable_obstacle = -1;         ///< For a step after which the cable touches an obstacle.
+  double cable_robot = -0.5;          ///< For a step after which the robot stands on its cable.
+  double rotation = -0.1;             ///< For a step that turns on the spot.
+  double time = -0.001;               ///< For every step.
+  double progress = 50;               ///< Shared evenly among the way-points, each paid once an episode.
+  double deviation = -1;              ///< For each metre by which the nearest way-point is too far away.
+  double deviation_from_radii = 2.5;  ///< Too far begins here, robot radii.
+  bool use_reference = true;          ///< Whether progress and deviation count. [Shimada2024, Sec. 6.3.4]
 };
 
 /// How an observation is written.
@@ -37,29 +37,36 @@ enum class ObservationScale {
 
 /// The robot and its world; the defaults are those of [Shimada2024], or for want of them, those of the README.
 struct TetherEnvOptions {
-  double robot_radius_m = 0.5;                              ///< Positive.
-  double link_length_m = 1;                                 ///< Of the cable. Positive.
-  double speed_m_per_s = 1;                                 ///< Going straight.
-  double turn_rad_per_s = 2;                                ///< Turning on the spot.
-  double dt_s = 0.1;                                        ///< A step.
-  double goal_radius_m = 0.5;                               ///< The goal is reached within this.
-  int max_steps = 500;                                      ///< After which an episode is cut.
-  double grid_m = 0.2;                                      ///< To which positions are rounded in observations.
-  double grid_rad = 0.17453292519943295;                    ///< To which headings are: 10 degrees.
-  ObservationScale observation = ObservationScale::kScaled; ///< How they are written.
-  double start_noise_m = 0;                                 ///< The start is moved by up to this, by the seed.
-  double heading_noise_rad = 0;                             ///< The heading is turned by up to this, by the seed.
-  RewardOptions reward;                                     ///< What a step is worth.
+  double robot_radius_m = 0.5;                               ///< Positive.
+  double link_length_m = 1;                                  ///< Of the cable. Positive.
+  double speed_m_per_s = 1;                                  ///< Going straight.
+  double turn_rad_per_s = 2;                                 ///< Turning on the spot.
+  double dt_s = 0.1;                                         ///< A step.
+  double goal_radius_m = 0.5;                                ///< The goal is reached within this.
+  int max_steps = 500;                                       ///< After which an episode is cut.
+  double grid_m = 0.2;                                       ///< To which positions are rounded in observations.
+  double grid_rad = 0.17453292519943295;                     ///< To which headings are: 10 degrees.
+  ObservationScale observation = ObservationScale::kScaled;  ///< How they are written.
+  double start_noise_m = 0;                                  ///< The start is moved by up to this, by the seed.
+  double heading_noise_rad = 0;                              ///< The heading is turned by up to this, by the seed.
+  RewardOptions reward;                                      ///< What a step is worth.
 };
 
 /// Where an episode starts and what it is for.
 struct TetherTask {
-  Polyline laid;                        ///< The cable from its base to the robot's centre; one point: the robot stands at the base.
-  std::optional<double> heading_rad;    ///< Absent: along the last segment of the cable, else along the reference.
-  double cable_length_m = 0;            ///< All of it.
-  Point goal;                           ///< For the robot's centre.
-  Polyline waypoints;                   ///< Of the reference path, without its start. May be empty.
+  Polyline laid;  ///< The cable from its base to the robot's centre; one point: the robot stands at the base.
+  std::optional<double> heading_rad;  ///< Absent: along the last segment of the cable, else along the reference.
+  double cable_length_m = 0;          ///< All of it.
+  Point goal;                         ///< For the robot's centre.
+  Polyline waypoints;                 ///< Of the reference path, without its start. May be empty.
 };
+
+/// The task of a scene with a tether and a goal, and with the robot's heading where it says one; without way-points.
+/// Errors: those of RequireTetherAndGoal.
+[[nodiscard]] Expected<TetherTask> TaskOf(const Scene& scene);
+
+/// The options with the scene's radius, where it says one; the links are twice as long, as in the paper.
+TetherEnvOptions OptionsFor(const Scene& scene, TetherEnvOptions options = {});
 
 /// The pose of the robot.
 struct Pose {
@@ -74,13 +81,13 @@ inline constexpr int kTetherActions = 3;
 
 /// What a step did.
 struct EnvStep {
-  double reward = 0;             ///< Eq. 1.
-  bool cable_obstacle = false;   ///< The cable touches an obstacle. Eq. 8.
-  bool cable_robot = false;      ///< The robot stands on its cable. Eq. 9.
-  bool robot_obstacle = false;   ///< It hit an obstacle: the episode is over.
-  bool held = false;             ///< The cable is too short for the motion: nothing moved.
-  bool at_goal = false;          ///< It reached the goal: the episode is over.
-  bool cut = false;              ///< The steps are used up; the episode is not over, but ends.
+  double reward = 0;            ///< Eq. 1.
+  bool cable_obstacle = false;  ///< The cable touches an obstacle. Eq. 8.
+  bool cable_robot = false;     ///< The robot stands on its cable. Eq. 9.
+  bool robot_obstacle = false;  ///< It hit an obstacle: the episode is over.
+  bool held = false;            ///< The cable is too short for the motion: nothing moved.
+  bool at_goal = false;         ///< It reached the goal: the episode is over.
+  bool cut = false;             ///< The steps are used up; the episode is not over, but ends.
   /// Whether the episode ends here.
   bool ends() const { return robot_obstacle || at_goal || cut; }
 };
@@ -110,15 +117,40 @@ class TetherEnv {
   /// Where the robot is.
   const Pose& pose() const { return pose_; }
   /// Where the cable lies, from base to tail.
-  const CableChain& cable() const { return *cable_; }
+  const CableChain& cable() const { return cable_; }
   /// Of this episode.
   int steps() const { return steps_; }
   /// What it was made from.
-  const TetherTask& task() const { return task_; }
+  const TetherTask& task() const { return setup_->task; }
   /// What it was made with.
-  const TetherEnvOptions& options() const { return options_; }
+  const TetherEnvOptions& options() const { return setup_->options; }
   /// What is in the way.
-  const ContactMap& map() const { return *map_; }
+  const ContactMap& map() const { return *setup_->map; }
+
+ private:
+  /// What all episodes share.
+  struct Setup {
+    const ContactMap* map;
+    TetherTask task;
+    TetherEnvOptions options;
+    double heading_rad;      ///< At the start, without noise.
+    bool base_is_at_a_wall;  ///< Then the cable may touch blocked ground within a robot radius of it.
+  };
+
+  TetherEnv(std::shared_ptr<const Setup> setup);
+
+  void StartAt(const Pose& pose);
+  Point TailAt(const Pose& pose) const;
+  bool Move(double speed_m_per_s, double turn_rad_per_s, EnvStep& step);
+  bool CableTouchesObstacle() const;
+  bool CableIsUnderRobot() const;
+  double FollowReference();
+
+  std::shared_ptr<const Setup> setup_;  ///< Shared, so that copies for trials are cheap; it never changes.
+  Pose pose_;
+  CableChain cable_;
+  std::vector<std::uint8_t> passed_;  ///< By way-point.
+  int steps_ = 0;
 };
 
 }  // namespace tautline
