@@ -11,6 +11,8 @@ import tempfile
 try:
     import numpy
     import onnx
+    import onnx.checker
+    import onnx.numpy_helper
 except ImportError:
     if sys.executable == "/usr/bin/python3" or not os.path.exists("/usr/bin/python3"):
         sys.exit("no module onnx: install python3-onnx")

@@ -30,13 +30,13 @@ std::string GroupOf(const std::string& name);
 /// What is compared.
 struct CompareQuestion {
   std::vector<ComparedScene> scenes;
-  LearnOptions learn;                       ///< Of the learner; the seed is the first one.
-  int seeds = 3;                            ///< Trainings for each scene, one seed after the other.
-  std::vector<double> penalties;            ///< Also, for groups in `penalty_groups`: other rewards for standing on the cable.
-  std::vector<std::string> penalty_groups;  ///< Groups for which penalties are varied.
-  std::vector<std::string> ablation_groups; ///< Also without the reference, for these groups.
-  std::optional<Mlp> general;               ///< The policy for all maps.
-  const Kernels* kernels = nullptr;         ///< With which to train.
+  LearnOptions learn;             ///< Of the learner; the seed is the first one.
+  int seeds = 3;                  ///< Trainings for each scene, one seed after the other.
+  std::vector<double> penalties;  ///< Also, for groups in `penalty_groups`: other rewards for standing on the cable.
+  std::vector<std::string> penalty_groups;   ///< Groups for which penalties are varied.
+  std::vector<std::string> ablation_groups;  ///< Also without the reference, for these groups.
+  std::optional<Mlp> general;                ///< The policy for all maps.
+  const Kernels* kernels = nullptr;          ///< With which to train.
 };
 
 /// A path of one method and what came of it when the simulated robot tracked it.

@@ -30,7 +30,7 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options) {
       ->check(NonNegative());
   command
       .add_option("--threads", options.threads,
-                  "the most threads to use, for --goals, --field and places; the answer does not depend on it")
+                  "the most threads to use, for --goals, --field, places and trainings; the answer does not depend on it")
       ->check(AtLeastOne());
   command.add_option("--seed", options.seed, "the seed of everything random");
 }

@@ -10,7 +10,7 @@ Run AddLearn(CLI::App& app) {
   sub->footer(
       "Example:\n  tautline learn reference scenes/store_room.yaml --robot-radius 0.3 --svg reference.svg\n"
       "`tautline learn COMMAND --help` tells more.");
-  return AddNested(*sub, {AddLearnReference});
+  return AddNested(*sub, {AddLearnReference, AddLearnTrain, AddLearnEvaluate, AddLearnCompare, AddLearnImitate});
 }
 
 }  // namespace tautline::cli

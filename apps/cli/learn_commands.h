@@ -6,7 +6,11 @@
 
 namespace tautline::cli {
 
+Run AddLearnCompare(CLI::App& learn);
+Run AddLearnEvaluate(CLI::App& learn);
+Run AddLearnImitate(CLI::App& learn);
 Run AddLearnReference(CLI::App& learn);
+Run AddLearnTrain(CLI::App& learn);
 
 }  // namespace tautline::cli
 

@@ -64,6 +64,12 @@ void ProgressBar::Tell(std::string_view stage, std::optional<double> share) {
   news_ = true;
 }
 
+void ProgressBar::Remark(std::string_view remark) {
+  if (!enabled_) return;
+  const std::lock_guard lock(mutex_);
+  remark_ = remark;
+}
+
 void ProgressBar::Clear() {
   if (!enabled_) return;
   const std::lock_guard lock(mutex_);
@@ -95,7 +101,8 @@ void ProgressBar::Show() {
   do {
     if (!news_) continue;
     const std::chrono::duration<double> since = Clock::now() - stage_start_;
-    std::fprintf(stderr, "%s%s", kClearLine, ProgressText(stage_, share_, since.count()).c_str());
+    const std::string text = ProgressText(stage_, share_, since.count()) + (remark_.empty() ? "" : "; ") + remark_;
+    std::fprintf(stderr, "%s%s", kClearLine, text.c_str());
     std::fflush(stderr);
     shown_ = true;
   } while (!done_changed_.wait_for(lock, kPeriod, [this] { return done_; }));

@@ -27,6 +27,9 @@ class ProgressBar {
   /// What is being done now and the share of it that is done, 0 to 1; no share: unknown. From any thread.
   void Tell(std::string_view stage, std::optional<double> share);
 
+  /// What else is to be said behind it, from now on; from any thread.
+  void Remark(std::string_view remark);
+
   /// Removes the line, so that something else can be printed; it comes back with the next news.
   void Clear();
 
@@ -48,6 +51,7 @@ class ProgressBar {
   std::string stage_;
   Clock::time_point stage_start_;
   std::optional<double> share_;
+  std::string remark_;
   bool news_ = false;   ///< Told since the line was removed.
   bool shown_ = false;  ///< The line stands on the terminal.
   bool done_ = false;

@@ -21,6 +21,9 @@ class Rng {
     return z ^ (z >> 31);
   }
 
+  /// A seed whose generator goes on from here.
+  std::uint64_t state() const { return state_; }
+
   /// Uniform in [0, 1).
   double Uniform() { return static_cast<double>(Next() >> 11) * 0x1.0p-53; }
 

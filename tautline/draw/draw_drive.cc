@@ -3,18 +3,13 @@
 #include <algorithm>
 
 #include "tautline/draw/figure.h"
-#include "tautline/draw/fleet_animation.h"
 #include "tautline/draw/length_text.h"
+#include "tautline/draw/moving_robot.h"
 
 namespace tautline {
 namespace {
 
 const LineStyle kDriveLine = {.colour = "#0b4a8f", .width = 1.4};
-const LineStyle kLaidCableLine = {.colour = "#8f6400", .width = 2.6};
-constexpr char kRobotColour[] = "#0b4a8f";
-constexpr double kShortestFilm = 6, kLongestFilm = 40, kHold = 2;  // Seconds of the viewer's time.
-constexpr double kSpeedUp = 4;                                     // Of the film, where it is not too long for that.
-constexpr std::size_t kMostFilmFrames = 240;
 
 std::size_t CountContacts(const DrivePicture& picture, ContactKind kind) {
   return static_cast<std::size_t>(std::count_if(picture.contacts.begin(), picture.contacts.end(),
@@ -66,42 +61,6 @@ SvgCurve CircleAt(Point centre, double radius) {
           .closed = true};
 }
 
-/// Evenly many of the frames, the first and the last among them.
-std::vector<const DriveFrame*> FilmFrames(const DrivePicture& picture) {
-  const std::size_t count = picture.frames.size(), kept = std::min(count, kMostFilmFrames);
-  std::vector<const DriveFrame*> frames;
-  for (std::size_t i = 0; i < kept; ++i) {
-    frames.push_back(&picture.frames[kept == 1 ? 0 : i * (count - 1) / (kept - 1)]);
-  }
-  return frames;
-}
-
-void DrawMoving(Figure& figure, const DrivePicture& picture) {
-  const std::vector<const DriveFrame*> frames = FilmFrames(picture);
-  const double end = frames.back()->t_s;
-  const double film = std::clamp(end / kSpeedUp, kShortestFilm, kLongestFilm);
-  SvgMotion motion{.times = {}, .duration_s = film + kHold};
-  std::vector<Polyline> cables;
-  std::vector<Point> robots;
-  for (const DriveFrame* frame : frames) {
-    motion.times.push_back(end > 0 ? (frame->t_s - frames.front()->t_s) / end * film / motion.duration_s : 0);
-    cables.push_back(figure.view().ToPixels(frame->cable));
-    robots.push_back(figure.view().ToPixels(frame->robot));
-  }
-  motion.times.push_back(1);
-  cables = AlignedKeyframes(cables);
-  cables.push_back(cables.back());
-  robots.push_back(robots.back());
-  SvgWriter& svg = figure.map().svg();
-  svg.OpenGroup("moving-cable");
-  svg.MovingPolyline(cables, motion, {.stroke = kLaidCableLine.colour, .width = kLaidCableLine.width});
-  svg.CloseGroup();
-  svg.OpenGroup("moving-robot");
-  svg.MovingCircle(robots, std::max(3.0, picture.robot_radius_m * figure.view().pixels_per_metre()), motion,
-                   {.fill = kRobotColour, .stroke = kHaloColour, .width = 1.2, .opacity = 0.6});
-  svg.CloseGroup();
-}
-
 }  // namespace
 
 std::string DrawDrive(const Scene& scene, const DrivePicture& picture) {
@@ -125,7 +84,7 @@ std::string AnimateDrive(const Scene& scene, const DrivePicture& picture) {
   if (!space) return "";
   Figure figure(scene, *space, ContentOf(picture, true));
   DrawStill(figure, scene, picture);
-  if (!picture.frames.empty()) DrawMoving(figure, picture);
+  if (!picture.frames.empty()) DrawMovingRobot(figure, picture.frames, picture.robot_radius_m);
   return figure.Finish();
 }
 

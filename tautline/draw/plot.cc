@@ -23,6 +23,7 @@ constexpr double kTickRoom = 90;  // Pixels between ticks of the x axis, about.
 constexpr double kTickRoomY = 38;
 constexpr double kHeadroom = 0.06;  // Of the range of y, above and below.
 constexpr double kDotRadius = 3;
+constexpr double kBandOpacity = 0.18;
 constexpr char kGridColour[] = "#e3e6e9";
 constexpr char kEventColour[] = "#8a9097";
 
@@ -47,6 +48,13 @@ void ForEachPoint(const PlotContent& content, Visit visit) {
   for (const PlotSeries& series : content.series) {
     for (const Polyline& part : series.parts) {
       for (const Point p : part) {
+        if (IsFinite(p)) visit(p);
+      }
+    }
+  }
+  for (const PlotBand& band : content.bands) {
+    for (const Polyline* edge : {&band.low, &band.high}) {
+      for (const Point p : *edge) {
         if (IsFinite(p)) visit(p);
       }
     }
@@ -199,6 +207,12 @@ class Plotter {
 
   void DrawSeries() {
     svg_.OpenWindow("series", {{area_.low.x - 2, area_.low.y - 2}, {area_.high.x + 2, area_.high.y + 2}});
+    for (const PlotBand& band : content_.bands) {
+      Ring ring;
+      for (const Point p : band.low) ring.push_back(ToPixels(p));
+      for (std::size_t i = band.high.size(); i-- > 0;) ring.push_back(ToPixels(band.high[i]));
+      svg_.Polygon(std::vector<Ring>{ring}, {.fill = band.colour, .opacity = kBandOpacity});
+    }
     for (const PlotSeries& series : content_.series) {
       for (const Polyline& part : series.parts) {
         Polyline pixels;

@@ -30,12 +30,20 @@ struct PlotLevel {
   std::string text;  ///< Written on it at the left.
 };
 
+/// The room between two curves over the same axis, lightly filled.
+struct PlotBand {
+  Polyline low;        ///< From left to right.
+  Polyline high;       ///< Likewise.
+  std::string colour;  ///< Of the filling.
+};
+
 /// What a plot shows.
 struct PlotContent {
   std::string title;                   ///< In bold above it.
   std::string x_label;                 ///< With the unit: "time (s)".
   std::string y_label;                 ///< Likewise.
   std::vector<PlotSeries> series;      ///< Later ones over earlier ones.
+  std::vector<PlotBand> bands = {};    ///< Below the series.
   std::vector<PlotEvent> events = {};  ///< As thin vertical lines.
   std::vector<PlotLevel> levels = {};  ///< As thin dashed horizontal lines: limits.
   bool with_zero = false;              ///< The y axis includes 0.
