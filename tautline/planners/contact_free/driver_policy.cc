@@ -17,8 +17,13 @@ namespace {
 constexpr double kEndOfTheWay = 100;
 /// A point that is farther to the side than this, or behind, is turned to on the spot.
 constexpr double kTurnFrom = 0.45 * std::numbers::pi;
-/// A velocity that is tried is kept for so many steps; then the intent is pursued again.
+/// A velocity that is tried is kept for so many steps; then the reference is followed.
 constexpr int kHeldSteps = 4;
+/// The reference is followed towards the way-point that is so many after the nearest one.
+constexpr std::size_t kWaypointsAhead = 2;
+/// A robot that has not come nearer to the goal along its reference for so many steps follows the reference itself for
+/// half as many.
+constexpr int kPatience = 60;
 
 double AngleTo(const Pose& pose, Point p) {
   const Point off = p - pose.at;
@@ -47,34 +52,34 @@ std::array<Velocity, 9> Alternatives(const TetherEnvOptions& options) {
           {0, -turn}};
 }
 
-/// Both points of an intent in the plane.
-std::array<Point, 2> PlacesOf(const DriverIntent& intent, const TetherEnv& env) {
+/// The nearer point of an intent in the plane.
+Point PlaceOf(const DriverIntent& intent, const TetherEnv& env) {
   const Pose& pose = env.pose();
   const double unit = kIntentAhead[1] * env.options().robot_radius_m;
   const Point ahead{std::cos(pose.heading_rad), std::sin(pose.heading_rad)}, left{-ahead.y, ahead.x};
-  std::array<Point, 2> places;
-  for (std::size_t i = 0; i < 2; ++i) {
-    places[i] =
-        pose.at + unit * (static_cast<double>(intent[2 * i]) * ahead + static_cast<double>(intent[2 * i + 1]) * left);
-  }
-  return places;
+  return pose.at + unit * (static_cast<double>(intent[0]) * ahead + static_cast<double>(intent[1]) * left);
 }
 
-/// What it costs to keep a velocity for a while and then to pursue the points one after the other.
-double CostAhead(TetherEnv env, Velocity velocity, const std::array<Point, 2>& places, int steps) {
-  const TetherEnvOptions options = env.options();
+/// Along the reference, which has room for the robot everywhere.
+Velocity FollowReference(const TetherEnv& env, std::size_t waypoint) {
+  const Polyline& waypoints = env.task().waypoints;
+  const std::size_t next = waypoint + kWaypointsAhead;
+  return Pursue(env.pose(), next < waypoints.size() ? waypoints[next] : env.task().goal, env.options());
+}
+
+/// What it costs to keep a velocity for a while and to follow the reference then.
+double CostAhead(TetherEnv env, Velocity velocity, std::size_t waypoint, int steps) {
+  const RewardOptions& reward = env.options().reward;
   double cost = 0;
-  bool passed = false;
   for (int k = 0; k < steps; ++k) {
     if (k >= kHeldSteps) {
-      passed = passed || Distance(env.pose().at, places[0]) <= options.robot_radius_m;
-      velocity = Pursue(env.pose(), places[passed ? 1 : 0], options);
+      waypoint = AdvanceAlong(env, waypoint);
+      velocity = FollowReference(env, waypoint);
     }
     const EnvStep step = env.StepWith(velocity.speed_m_per_s, velocity.turn_rad_per_s);
     // The sooner, the worse.
     if (step.robot_obstacle || step.held) return cost + kEndOfTheWay * (steps - k) / steps;
-    cost -=
-        (step.cable_obstacle ? options.reward.cable_obstacle : 0) + (step.cable_robot ? options.reward.cable_robot : 0);
+    cost -= (step.cable_obstacle ? reward.cable_obstacle : 0) + (step.cable_robot ? reward.cable_robot : 0);
     if (step.ends()) break;
   }
   return cost / steps;
@@ -132,18 +137,19 @@ DriverIntent DriverPolicy::Want(const TetherEnv& env, std::size_t waypoint) {
 }
 
 Velocity DriverPolicy::Choose(const TetherEnv& env, std::size_t waypoint) {
-  const std::array<Point, 2> places = PlacesOf(Want(env, waypoint), env);
   const TetherEnvOptions& with = env.options();
-  const Velocity wanted = Pursue(env.pose(), places[0], with);
+  const Velocity wanted = Pursue(env.pose(), PlaceOf(Want(env, waypoint), env), with);
   if (options_.look_ahead_steps <= 0) return wanted;
+  const auto cost_of = [&](const Velocity& velocity) {
+    return options_.caution * CostAhead(env, velocity, waypoint, options_.look_ahead_steps);
+  };
   Velocity best = wanted;
-  double least = options_.caution * CostAhead(env, wanted, places, options_.look_ahead_steps);
-  if (least <= 0) return wanted;
+  double least = cost_of(wanted);
   for (const Velocity& other : Alternatives(with)) {
     const double turn = std::abs(other.turn_rad_per_s - wanted.turn_rad_per_s) / with.turn_rad_per_s;
     const double off = turn + (other.speed_m_per_s == wanted.speed_m_per_s ? 0 : 1);
     if (off >= least) continue;
-    const double cost = off + options_.caution * CostAhead(env, other, places, options_.look_ahead_steps);
+    const double cost = off + cost_of(other);
     if (cost < least) best = other, least = cost;
   }
   return best;
@@ -153,9 +159,13 @@ DrivenMotion DriverPolicy::Drive(TetherEnv env) {
   const TetherEnv start = env;
   std::vector<Velocity> velocities;
   std::size_t waypoint = 0;
+  int waited = 0;
   for (EnvStep step; !step.ends() && !step.held;) {
-    waypoint = AdvanceAlong(env, waypoint);
-    velocities.push_back(Choose(env, waypoint));
+    const std::size_t next = AdvanceAlong(env, waypoint);
+    waited = next > waypoint ? 0 : waited + 1;
+    waypoint = next;
+    if (waited > kPatience * 3 / 2) waited = 0;
+    velocities.push_back(waited > kPatience ? FollowReference(env, waypoint) : Choose(env, waypoint));
     step = env.StepWith(velocities.back().speed_m_per_s, velocities.back().turn_rad_per_s);
   }
   return DriveMotion(start, velocities);

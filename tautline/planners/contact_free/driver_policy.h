@@ -27,9 +27,9 @@ DriverIntent IntentOf(const Pose& pose, std::span<const Point> way, double robot
 /// How a policy drives.
 struct DriverOptions {
   /// Steps ahead for which velocities are tried on a copy before one is chosen; 0: the network alone decides.
-  int look_ahead_steps = 14;
+  int look_ahead_steps = 40;
   /// What a contact in each of these steps counts, in half circles of a turn that the network does not want.
-  double caution = 4;
+  double caution = 8;
 };
 
 /// The policy. A copy of the network and scratch; not for two threads at a time. Deterministic for its kernels.
