@@ -1,4 +1,4 @@
-// `tautline learn ...`: paths that touch nothing, learned.
+// `tautline learn ...`: the commands about paths that touch nothing.
 #include "apps/cli/commands.h"
 #include "apps/cli/learn_commands.h"
 #include "apps/cli/nested_commands.h"
@@ -10,7 +10,7 @@ Run AddLearn(CLI::App& app) {
   sub->footer(
       "Example:\n  tautline learn train scenes/quiet_room.yaml --steps 60000 --out run\n"
       "`tautline learn COMMAND --help` tells more.");
-  return AddNested(*sub, {AddLearnTrain, AddLearnEvaluate});
+  return AddNested(*sub, {AddLearnReference, AddLearnTrain, AddLearnEvaluate});
 }
 
 }  // namespace tautline::cli

@@ -7,6 +7,7 @@
 namespace tautline::cli {
 
 Run AddLearnEvaluate(CLI::App& learn);
+Run AddLearnReference(CLI::App& learn);
 Run AddLearnTrain(CLI::App& learn);
 
 }  // namespace tautline::cli

@@ -5,6 +5,14 @@
 #include "tautline/planners/contact_free/shortest_in_class.h"
 
 namespace tautline {
+namespace {
+
+/// A lattice path is longer than the taut one by 8.24 % at most, and by some steps at bends; more than this means that
+/// a passage of the class falls between the points.
+constexpr double kStretch = 1.25;
+constexpr double kSlackSteps = 20;
+
+}  // namespace
 
 std::optional<Polyline> HomotopicDijkstra(const TautGround& ground, const ClassPathQuery& query,
                                           const HomotopicDijkstraOptions& options) {
@@ -12,9 +20,13 @@ std::optional<Polyline> HomotopicDijkstra(const TautGround& ground, const ClassP
   if (!open) return std::nullopt;
   const auto lattice = BuildPathLattice(ground.space(), open->open.from, open->open.to, options.step_m);
   TAUTLINE_CHECK(lattice);
-  auto path = ShortestInClass(
-      ground.space(), lattice->graph,
-      {.from = lattice->from, .to = lattice->to, .word = open->open.word, .max_states = options.max_states});
+  auto path = ShortestInClass(ground.space(), lattice->graph,
+                              {.from = lattice->from,
+                               .to = lattice->to,
+                               .word = open->open.word,
+                               .stretch = kStretch,
+                               .slack_m = kSlackSteps * options.step_m,
+                               .max_states = options.max_states});
   if (!path) return std::nullopt;
   return open->FromBase(*std::move(path));
 }

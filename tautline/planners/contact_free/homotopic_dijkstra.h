@@ -11,8 +11,8 @@ namespace tautline {
 
 /// How fine, and how hard to search.
 struct HomotopicDijkstraOptions {
-  double step_m = 0.25;                 ///< The side of a cell, metres. Positive.
-  std::int64_t max_states = 5'000'000;  ///< (cell, word) states after which the search gives up.
+  double step_m = 0.25;               ///< The side of a cell, metres. Positive.
+  std::int64_t max_states = 300'000;  ///< (cell, word) states after which the search gives up.
 };
 
 /// The shortest path of the class over the 8-connected lattice in the grown free space of `ground`

@@ -21,6 +21,10 @@ using BoostPoint = bp::point_data<std::int32_t>;
 using BoostSegment = bp::segment_data<std::int32_t>;
 using Diagram = bp::voronoi_diagram<double>;
 
+/// How much longer than the taut path one in the middle of everything may be.
+constexpr double kStretch = 2;
+constexpr double kSlackDiagonals = 1;
+
 /// The boundaries as segments between points of an integer grid, as Boost.Polygon wants them.
 class IntegerSegments {
  public:
@@ -98,7 +102,7 @@ class RoadmapBuilder {
   using Edge = Diagram::edge_type;
 
   static Point Of(const Diagram::vertex_type& vertex) { return {vertex.x(), vertex.y()}; }
-  static Point Of(BoostPoint p) { return {static_cast<double>(p.x()), static_cast<double>(p.y())}; }
+  static Point Of(const BoostPoint& p) { return {static_cast<double>(p.x()), static_cast<double>(p.y())}; }
 
   const BoostSegment& SegmentOf(const Diagram::cell_type& cell) const { return input_.segments()[cell.source_index()]; }
 
@@ -219,6 +223,7 @@ std::vector<PathNodeId> VoronoiRoadmap::NearestInSight(Place place) const {
 }
 
 std::optional<Polyline> VoronoiRoadmap::PathInClass(const ClassPathQuery& query, std::int64_t max_states) const {
+  const TautSpace& space = ground_->space();
   const auto open = LeaveSocket(*ground_, query);
   if (!open) return std::nullopt;
   std::vector<Point> points;
@@ -229,7 +234,7 @@ std::optional<Polyline> VoronoiRoadmap::PathInClass(const ClassPathQuery& query,
   }
   const PathNodeId from(points.size()), to(points.size() + 1);
   for (const Point end : {open->open.from, open->open.to}) {
-    const auto place = ground_->space().Locate(end);
+    const auto place = space.Locate(end);
     TAUTLINE_CHECK(place);
     const PathNodeId node(points.size());
     points.push_back(end);
@@ -242,8 +247,13 @@ std::optional<Polyline> VoronoiRoadmap::PathInClass(const ClassPathQuery& query,
     }
   }
   const PathGraph joined(std::move(points), std::move(edges));
-  auto path = ShortestInClass(ground_->space(), joined,
-                              {.from = from, .to = to, .word = open->open.word, .max_states = max_states});
+  auto path = ShortestInClass(space, joined,
+                              {.from = from,
+                               .to = to,
+                               .word = open->open.word,
+                               .stretch = kStretch,
+                               .slack_m = kSlackDiagonals * Norm(space.free_space().box.size()),
+                               .max_states = max_states});
   if (!path) return std::nullopt;
   return open->FromBase(*std::move(path));
 }

@@ -13,8 +13,8 @@ namespace tautline {
 
 /// How fine, and how hard to search.
 struct HomotopicVoronoiOptions {
-  double sample_m = 0.1;                ///< Curved edges become chords no longer than this, metres. Positive.
-  std::int64_t max_states = 5'000'000;  ///< (node, word) states after which the search gives up.
+  double sample_m = 0.1;              ///< Curved edges become chords no longer than this, metres. Positive.
+  std::int64_t max_states = 300'000;  ///< (node, word) states after which the search gives up.
 };
 
 /// The Voronoi diagram of the edges of all boundaries: the places as far from one boundary as from another. What is
@@ -32,7 +32,7 @@ class VoronoiRoadmap {
   /// The shortest path along the roadmap in a class: straight from its start to the nearest node in sight, and from the
   /// nearest node in sight of its end; where the roadmap is in several pieces, to that of each. Nothing where there is
   /// none, an end is blocked, or the search gave up. O(nodes), and ShortestInClass.
-  std::optional<Polyline> PathInClass(const ClassPathQuery& query, std::int64_t max_states = 5'000'000) const;
+  std::optional<Polyline> PathInClass(const ClassPathQuery& query, std::int64_t max_states = 300'000) const;
 
  private:
   std::vector<PathNodeId> NearestInSight(Place place) const;

@@ -14,7 +14,7 @@ namespace tautline {
 namespace {
 
 /// A robot that touches an obstacle may stand this far inside the ground grown around it, as a share of the growth:
-/// rounded corners err outwards by 1 %, and a robot's steps are rounded, too.
+/// rounded corners err outwards by 1 %, and the margin below by 2 %.
 constexpr double kTouchingShare = 0.05;
 
 std::string Blocked(const TautSpace& space, const std::string& what, Point at) {
@@ -180,13 +180,17 @@ class ReferenceSearch {
   ReferenceSelection result_;
 };
 
+/// A path must keep a robot's disc away from obstacles by more than rounding, since touching is a contact: this share
+/// of its radius.
+constexpr double kTouchMargin = 0.02;
+
 }  // namespace
 
 Expected<TautGround> PrepareRobotGround(World world, double robot_radius_m, const Watcher& watch) {
   if (!std::isfinite(robot_radius_m) || robot_radius_m < 0) {
     return InvalidInput("the robot's radius must be 0 or larger and finite", "radius");
   }
-  world.clearance = std::max(world.clearance, robot_radius_m);
+  world.clearance = std::max(world.clearance, (1 + kTouchMargin) * robot_radius_m);
   return TautGround::Prepare(world, watch);
 }
 

@@ -14,7 +14,8 @@
 
 namespace tautline {
 
-/// The world as the robot's centre has it: grown by the larger one of radius and clearance. Errors: as
+/// The world as the robot's centre has it: grown by the larger one of its radius and 2 %, so that the disc does not
+/// touch along its edges, and the clearance. Errors: as
 /// TautGround::Prepare, and a radius that is negative or not finite.
 [[nodiscard]] Expected<TautGround> PrepareRobotGround(World world, double robot_radius_m, const Watcher& watch = {});
 

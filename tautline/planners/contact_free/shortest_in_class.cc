@@ -57,14 +57,22 @@ class ClassSearch {
 
   bool Start() {
     const auto from = space_.Locate(graph_.point(query_.from)), to = space_.Locate(graph_.point(query_.to));
-    if (!from || !to || !space_.mesh().Connected(*from, *to)) return false;
+    if (!from || !to || !space_.mesh().Connected(*from, *to) || !HasAllLetters()) return false;
     const auto taut = FindWordPath(space_, *from, *to, query_.word);
     if (!taut) return false;
     const Polyline back(taut->points.rbegin(), taut->points.rend());
     std::optional<Walk> rest{Walk(*to)};
     if (space_.Follow(back, rest)) return false;
+    limit_ = query_.stretch * taut->length + query_.slack_m;
     Reach(query_.from, Number(Word()), 0, 0, *std::move(rest));
     return true;
+  }
+
+  /// An obstacle that merged with a wall in this space has no letter.
+  bool HasAllLetters() const {
+    const auto letters = query_.word.letters();
+    return std::all_of(letters.begin(), letters.end(),
+                       [&](Letter letter) { return letter.obstacle.index() < space_.rays().names().size(); });
   }
 
   std::size_t Number(const Word& word) {
@@ -79,6 +87,7 @@ class ClassSearch {
 
   void Reach(PathNodeId node, std::size_t word, double length, std::size_t parent, Walk rest) {
     const double rest_length = PullTaut(space_.mesh(), rest).length;
+    if (length + rest_length > limit_) return;
     at_.emplace(KeyOf(node, word), states_.size());
     queue_.push({length + rest_length, length, states_.size()});
     states_.push_back({node, word, length, parent, std::move(rest), rest_length});
@@ -123,6 +132,7 @@ class ClassSearch {
   const TautSpace& space_;
   const PathGraph& graph_;
   const ShortestInClassQuery& query_;
+  double limit_ = 0;
   std::vector<State> states_;
   std::unordered_map<std::uint64_t, std::size_t> at_;
   std::vector<Word> words_;
