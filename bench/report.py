@@ -14,7 +14,7 @@ import sys
 
 from line_chart import LineChart
 from results import Missing, Results, binary_bytes, count, digits, plain_bytes, seconds, table, times
-from targets import CABLES, MANIFOLDS, SIZES, all_targets
+from targets import CABLES, KERNELS, MANIFOLDS, SIZES, all_targets
 
 SERIES_HOLES = ("10", "30", "100", "300", "1000", "3000")
 TETHERS = ("2000", "3000", "4000", "5000", "6000", "7000", "8000")
@@ -326,6 +326,20 @@ def cable(results):
     return table(["cable", "nodes", "contacts", "times faster than real time", "steps with links in obstacles"], rows)
 
 
+def learning(results):
+    rows = []
+    for kernels in KERNELS:
+        try:
+            rows.append([f"gradient step, `{kernels}`", seconds(results.time(f"learning/gradient/{kernels}"))])
+        except Missing:
+            pass  # This processor lacks them.
+    training = "learning/training"
+    rows.append([f"training of 300,000 steps with {count(results.value(training, 'gradient_steps'))} gradient steps, `auto`",
+                 seconds(results.time(training))])
+    rows.append(["environment, steps a second", count(results.value("learning/environment", "steps_per_second"))])
+    return table(["what", "one core"], rows)
+
+
 def chart_manifold(results):
     millions = lambda value: f"{digits(value / 1e6)} million"
     chart = LineChart("The manifold on a grid", "vertices", "processor time", millions, seconds)
@@ -416,7 +430,7 @@ TABLES = {"machine": machine, "triangulation": triangulation, "visibility": visi
           "growth_classes": growth_classes, "workspace_loops": workspace_loops, "workspace_anchors": workspace_anchors,
           "workspace_obstacles": workspace_obstacles, "workspace_length": workspace_length, "fleet": fleet,
           "fleet_peer": fleet_peer, "fleet_growth": fleet_growth,
-          "manifold": manifold, "manifold_growth": manifold_growth, "manifold_threads": manifold_threads, "cable": cable}
+          "manifold": manifold, "manifold_growth": manifold_growth, "manifold_threads": manifold_threads, "cable": cable, "learning": learning}
 CHARTS = {"performance_triangulation": chart_triangulation, "performance_vertices": chart_vertices,
           "performance_holes": chart_holes, "performance_classes": chart_classes,
           "performance_workspace": chart_workspace, "performance_workspace_growth": chart_workspace_growth,

@@ -1,10 +1,11 @@
 """The figures that tautline sets itself, each with where it is measured."""
-from results import digits, plain_bytes, seconds, times
+from results import count, digits, plain_bytes, seconds, times
 
 SIZES = ("1000", "3000", "10000", "30000", "100000")
 MANIFOLDS = ("1e4", "1e5", "1e6", "1e7", "1e8")
 CABLES = (("pillars/free", "among pillars"), ("pillars/short", "among pillars, often taut"),
           ("pillars/retracting", "among pillars, on a reel"), ("map/free", "on a map of 1,000 vertices"))
+KERNELS = ("portable", "avx2", "avx512")
 MAZE = "`make bench FILTER=maze`"
 
 
@@ -85,7 +86,7 @@ def all_targets():
         name = f"fleet/robots/{size}"
         targets.append(Target(f"fleet of {int(size):,} robots: layout checked, motion planned and played",
                               time_of(name), limit, command=command))
-    return targets + manifold_targets() + cable_targets()
+    return targets + manifold_targets() + cable_targets() + learning_targets()
 
 
 def manifold_targets():
@@ -116,3 +117,13 @@ def cable_targets():
     return [Target(f"cable of 200 nodes, {text}: times faster than real time",
                    at(f"cable/{name}", "real_time_factor"), 1000, times, command, True)
             for name, text in CABLES]
+
+
+def learning_targets():
+    command = "`make bench FILTER=learning`"
+    return [Target("deep Q-network, batch of 32: a gradient step", time_of("learning/gradient/auto"), 300e-6,
+                   command=command),
+            Target("training of 300,000 steps (231 to 324 CPU s with Stable-Baselines3)",
+                   time_of("learning/training"), 23.1, command=command),
+            Target("environment of the contact-free planner, steps a second",
+                   at("learning/environment", "steps_per_second"), 1.5e6, count, command, True)]

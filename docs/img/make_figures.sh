@@ -35,6 +35,15 @@ draw fleet_plan.svg fleet plan scenes/fleet.yaml
 "$build/apps/cli/tautline" fleet plan scenes/fleet.yaml --quiet --animate $out/fleet_film.svg
 draw drive.svg drive scenes/cable_hall.yaml
 draw drive_candidates.svg drive scenes/cable_hall.yaml --candidates 4
+draw learn_reference.svg learn reference scenes/store_room.yaml --robot-radius 0.3 --count 6
+draw learn_path.svg learn evaluate scenes/quiet_room.yaml --policy scenes/quiet_room.onnx --kernels portable
+training=$(mktemp -d)
+"$build/apps/cli/tautline" learn train scenes/quiet_room.yaml --out "$training" --steps 20000 --hidden 64 64 \
+  --evaluate-every 1000 --seeds 3 --kernels portable --quiet
+cp "$training/curves.svg" $out/learn_curves.svg
+cp "$training/visits.svg" $out/learn_visits.svg
+rm -r "$training"
+draw learn_baselines.svg learn reference scenes/store_room.yaml --robot-radius 0.3 --baselines
 draw engine_taut.svg taut scenes/store_room.yaml
 draw engine_classes.svg classes scenes/store_room.yaml
 draw engine_choice.svg plan scenes/store_room.yaml --all

@@ -17,7 +17,7 @@ struct OnnxModel {
   std::map<std::string, std::string> metadata;  ///< How it was made; printed in the order of the keys.
 };
 
-/// The bytes of an ONNX model [ONNX]: opset 13, one Gemm a layer with a Relu between, the input "observation" and the
+/// The bytes of an ONNX model (onnx.ai): opset 13, one Gemm a layer with a Relu between, the input "observation" and the
 /// output "values", floats with one row for each sample. The same model gives the same bytes. O(parameters).
 std::string WriteOnnx(const OnnxModel& model);
 

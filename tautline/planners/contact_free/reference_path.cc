@@ -8,13 +8,13 @@ namespace tautline {
 
 Polyline Waypoints(const Polyline& path, double spacing_m) {
   TAUTLINE_CHECK(spacing_m > 0);
-  Polyline waypoints;
+  Polyline points;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    const double pieces = std::ceil(Distance(path[i - 1], path[i]) / spacing_m);
-    for (double k = 1; k < pieces; ++k) waypoints.push_back(Lerp(path[i - 1], path[i], k / pieces));
-    waypoints.push_back(path[i]);
+    const double length = Distance(path[i - 1], path[i]);
+    const int pieces = std::max(1, static_cast<int>(std::ceil(length / spacing_m)));
+    for (int k = 1; k <= pieces; ++k) points.push_back(Lerp(path[i - 1], path[i], static_cast<double>(k) / pieces));
   }
-  return waypoints;
+  return points;
 }
 
 }  // namespace tautline
