@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tautline/homotopy/classes.h"
+#include "tautline/planners/contact_free/refine_path.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline {
@@ -144,10 +145,27 @@ class Planning {
     result_.expansions += std::max<std::int64_t>(1, outcome.expansions);
     if (outcome.end != SearchEnd::kFound) return;
     DrivenMotion driven = DriveMotion(env, outcome.motion);
-    const double cost = CostOf(driven.costs, options_.costs);
-    if (!driven.at_goal || (found_ && cost >= result_.cost)) return;
+    Polyline path = driven.Path();
+    Refine(env, *problem.env, path);
+    Offer(std::move(driven), std::move(path));
+  }
+
+  /// Bends a path where the margin counts, and offers what comes of it.
+  void Refine(const TetherEnv& env, const TetherEnv& wary, const Polyline& path) {
+    const RefinedPath refined = RefinePath(wary, path, {.per_metre = options_.costs.per_metre});
+    if (!std::isfinite(refined.cost)) return;
+    std::vector<Velocity> commands;
+    for (const DriveCommand& c : refined.track.commands) commands.push_back({c.speed_m_per_s, c.turn_rad_per_s});
+    Offer(DriveMotion(env, commands), refined.path);
+  }
+
+  /// Keeps the motion if none is better.
+  void Offer(DrivenMotion motion, Polyline path) {
+    const double cost = CostOf(motion.costs, options_.costs);
+    if (!motion.at_goal || (found_ && cost >= result_.cost)) return;
     found_ = true;
-    result_.motion = std::move(driven);
+    result_.motion = std::move(motion);
+    result_.path = std::move(path);
     result_.cost = cost;
   }
 

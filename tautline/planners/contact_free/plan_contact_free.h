@@ -33,6 +33,7 @@ struct ContactFreeResult {
   std::string reason;       ///< The slug of formats.md, "goal_blocked", ...; empty when solved.
   std::string explanation;  ///< One sentence with the numbers when there is no plan.
   TetherEnvOptions env;     ///< The environment that was planned in: the scene's radius, no goal reward.
+  Polyline path;            ///< For the robot to track.
   DrivenMotion motion;      ///< As the environment drives it, contacts and costs included.
   double cost = 0;          ///< Of the motion: its penalty and what its length counts.
   double bound = 0;         ///< No motion to the goal costs less.
