@@ -17,6 +17,8 @@ namespace tautline {
 namespace {
 
 constexpr int kStepsPerCheck = 16;
+/// Motions of different classes that are handed out at most.
+constexpr std::size_t kMostMotions = 3;
 
 /// The same velocity for so many steps.
 struct Primitive {
@@ -103,7 +105,7 @@ class Search {
           ++outcome.expansions;
           Expand(state);
         }
-        if (goal_ >= 0 && first_found < 0) first_found = layer;
+        if (!goals_.empty() && first_found < 0) first_found = layer;
         if (first_found >= 0) last = std::min(last, first_found + grain_.patience);
       }
     } catch (const Stopped&) {
@@ -114,20 +116,32 @@ class Search {
 
  private:
   SearchOutcome Ended(SearchEnd end, SearchOutcome outcome) const {
-    if (goal_ >= 0) return Found(outcome);
+    if (!goals_.empty()) return Found(outcome);
     outcome.end = end;
     return outcome;
   }
 
   SearchOutcome Found(SearchOutcome outcome) const {
     outcome.end = SearchEnd::kFound;
-    outcome.cost = states_[static_cast<std::size_t>(goal_)].cost;
-    for (int at = goal_; at >= 0; at = states_[static_cast<std::size_t>(at)].parent) {
-      const State& state = states_[static_cast<std::size_t>(at)];
-      outcome.motion.insert(outcome.motion.end(), static_cast<std::size_t>(state.steps), state.velocity);
-    }
-    std::reverse(outcome.motion.begin(), outcome.motion.end());
+    outcome.cost = goal_cost_;
+    std::vector<int> goals;
+    for (const auto& [word, state] : goals_) goals.push_back(state);
+    std::sort(goals.begin(), goals.end(), [&](int a, int b) {
+      return std::pair(states_[static_cast<std::size_t>(a)].cost, a) < std::pair(states_[static_cast<std::size_t>(b)].cost, b);
+    });
+    if (goals.size() > kMostMotions) goals.resize(kMostMotions);
+    for (const int goal : goals) outcome.motions.push_back(MotionTo(goal));
     return outcome;
+  }
+
+  std::vector<Velocity> MotionTo(int goal) const {
+    std::vector<Velocity> motion;
+    for (int at = goal; at >= 0; at = states_[static_cast<std::size_t>(at)].parent) {
+      const State& state = states_[static_cast<std::size_t>(at)];
+      motion.insert(motion.end(), static_cast<std::size_t>(state.steps), state.velocity);
+    }
+    std::reverse(motion.begin(), motion.end());
+    return motion;
   }
 
   double Left(Point at) const {
@@ -226,15 +240,20 @@ class Search {
     FollowWord(env.pose().at, state);
     if (costs.cable_obstacle_steps > 0 && !CableHasWord(state)) return;
     if (at_goal) {
-      if (state.cost < std::min(problem_.to_beat, goal_cost_)) {
-        goal_ = static_cast<int>(states_.size());
-        goal_cost_ = state.cost;
-        states_.push_back(std::move(state));
-      }
+      AddGoal(std::move(state));
       return;
     }
     state.key = KeyOf(state);
     Push(std::move(state));
+  }
+
+  void AddGoal(State state) {
+    if (state.cost >= problem_.to_beat) return;
+    const auto [found, is_new] = goals_.try_emplace(state.word, static_cast<int>(states_.size()));
+    if (!is_new && states_[static_cast<std::size_t>(found->second)].cost <= state.cost) return;
+    found->second = static_cast<int>(states_.size());
+    goal_cost_ = std::min(goal_cost_, state.cost);
+    states_.push_back(std::move(state));
   }
 
   void FollowWord(Point from, State& state) {
@@ -289,7 +308,7 @@ class Search {
   std::vector<State> states_;
   std::unordered_map<std::uint64_t, double> best_;
   std::vector<Entry> open_;
-  int goal_ = -1;
+  std::map<int, int> goals_;  ///< The cheapest state at the goal, by its word.
   double goal_cost_ = std::numeric_limits<double>::infinity();
 };
 

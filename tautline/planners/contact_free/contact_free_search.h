@@ -45,8 +45,9 @@ enum class SearchEnd : std::uint8_t {
 /// What a search found.
 struct SearchOutcome {
   SearchEnd end = SearchEnd::kExhausted;  ///< How it ended.
-  std::vector<Velocity> motion;           ///< One velocity a step; when found.
-  double cost = 0;                        ///< Of the motion, as the search counts.
+  /// The best motion of each of a few classes, the best of all first: one velocity a step. Empty unless found.
+  std::vector<std::vector<Velocity>> motions;
+  double cost = 0;                        ///< Of the first motion, as the search counts.
   std::int64_t expansions = 0;            ///< States expanded.
 };
 

@@ -16,8 +16,31 @@ constexpr double kGuideCell = 0.1, kMapCell = 0.1;
 /// The space that gives distances grows by this share of the robot's radius: corners are rounded outwards by up to a
 /// hundredth, and wherever the robot may stand must be inside.
 constexpr double kGrowth = 0.98;
-/// The first search follows so many states of a layer; each that follows, so many times as many.
-constexpr int kFirstWidth = 60, kWider = 4;
+/// A motion takes at most so many times as long as the shortest way, and so many primitives more.
+constexpr double kDetour = 2.2;
+constexpr int kSpareLayers = 15;
+/// One search of several.
+struct Pass {
+  int width = 0;             ///< States that it follows.
+  bool keeps_margin = true;  ///< Else contacts are all that counts: where the margin is not to be had.
+};
+/// Coarse to fine; the first that finds a motion without contacts is the last.
+constexpr Pass kPasses[] = {{60}, {60, false}, {240}, {240, false}, {720}, {720, false}, {2000}, {2000, false}};
+
+/// A motion to the goal and the path that belongs to it.
+struct Candidate {
+  Polyline path;
+  DrivenMotion motion;
+  double cost = 0;
+
+  int contacts() const { return motion.costs.cable_obstacle_steps + motion.costs.cable_robot_steps; }
+};
+
+/// For a search, which has no stages to tell of.
+KeepGoing KeepGoingOf(const Watcher& watch) {
+  if (!watch) return {};
+  return [watch] { return watch("search", -1); };
+}
 
 std::string TextOf(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
 
@@ -107,23 +130,39 @@ class Planning {
     result_.shortest_m = std::max(0.0, Length(way_) - env.options().goal_radius_m);
     result_.bound =
         result_.shortest_m * (options_.costs.per_metre - env.options().reward.time / (speed * env.options().dt_s));
-    for (int width = kFirstWidth; result_.expansions < options_.budget && !IsGoodEnough(); width *= kWider) {
-      for (const double margin_m : options_.margins_m) {
-        if (!IsGoodEnough()) SearchWith(env, margin_m, width);
-      }
+    for (const Pass& pass : kPasses) {
+      if (result_.expansions >= options_.budget || IsGoodEnough()) break;
+      if (options_.watch && !options_.watch("search", static_cast<double>(result_.expansions) / options_.budget)) break;
+      SearchWith(env, pass.keeps_margin ? options_.margin_m : 0, pass.width);
     }
-    result_.status = found_ ? ContactFreeStatus::kSolved : ContactFreeStatus::kBudgetExceeded;
+    Choose();
     if (!found_) {
+      result_.status = ContactFreeStatus::kBudgetExceeded;
       Refuse("budget_exceeded", "no motion was found among " + std::to_string(result_.expansions) +
                                     " states; one may exist: give a larger --budget");
       return;
     }
+    result_.status = ContactFreeStatus::kSolved;
     Polyline way = laid_;
     for (const Pose& pose : result_.motion.poses) way.push_back(pose.at);
     result_.tether = Shorten(space_, way).path;
   }
 
-  bool IsGoodEnough() const { return found_ && result_.contacts_proved(); }
+  /// A motion of tracking, which touches nothing.
+  bool IsGoodEnough() const { return tracked_ && tracked_->contacts() == 0; }
+
+  /// The tracked motion, unless driving without a path to track touches less.
+  void Choose() {
+    const auto costs_less = [](const Candidate& a, const Candidate& b) {
+      return a.contacts() < b.contacts() && a.cost < b.cost;
+    };
+    if (!tracked_ && !direct_) return;
+    found_ = true;
+    Candidate& best = tracked_ && !(direct_ && costs_less(*direct_, *tracked_)) ? *tracked_ : *direct_;
+    result_.path = std::move(best.path);
+    result_.motion = std::move(best.motion);
+    result_.cost = best.cost;
+  }
 
   void SearchWith(const TetherEnv& env, double margin_m, int width) {
     std::optional<ContactMap> wary_map;
@@ -140,14 +179,20 @@ class Planning {
     const SearchProblem problem{.env = wary ? &*wary : &env,
                                 .guide = &*guide_,
                                 .rays = &space_.rays(),
-                                .costs = {options_.costs.per_metre, margin_m > 0 ? options_.costs.cable_margin_m : 0}};
-    const SearchOutcome outcome = SearchMotion(problem, {.width = width});
+                                .costs = {options_.costs.per_metre, margin_m > 0 ? options_.costs.cable_margin_m : 0},
+                                .keep_going = KeepGoingOf(options_.watch)};
+    SearchGrain grain{.width = width};
+    const double primitive_m = grain.primitive_steps * env.options().dt_s * env.options().speed_m_per_s;
+    grain.layers = kSpareLayers + static_cast<int>(std::ceil(kDetour * Length(way_) / primitive_m));
+    const SearchOutcome outcome = SearchMotion(problem, grain);
     result_.expansions += std::max<std::int64_t>(1, outcome.expansions);
-    if (outcome.end != SearchEnd::kFound) return;
-    DrivenMotion driven = DriveMotion(env, outcome.motion);
-    Polyline path = driven.Path();
-    Refine(env, *problem.env, path);
-    Offer(std::move(driven), std::move(path));
+    for (const std::vector<Velocity>& motion : outcome.motions) {
+      DrivenMotion driven = DriveMotion(env, motion);
+      Polyline path = driven.Path();
+      Refine(env, *problem.env, path);
+      Offer(std::move(driven), std::move(path), direct_);
+      if (IsGoodEnough()) return;
+    }
   }
 
   /// Bends a path where the margin counts, and offers what comes of it.
@@ -156,17 +201,14 @@ class Planning {
     if (!std::isfinite(refined.cost)) return;
     std::vector<Velocity> commands;
     for (const DriveCommand& c : refined.track.commands) commands.push_back({c.speed_m_per_s, c.turn_rad_per_s});
-    Offer(DriveMotion(env, commands), refined.path);
+    Offer(DriveMotion(env, commands), refined.path, tracked_);
   }
 
   /// Keeps the motion if none is better.
-  void Offer(DrivenMotion motion, Polyline path) {
+  void Offer(DrivenMotion motion, Polyline path, std::optional<Candidate>& best) const {
     const double cost = CostOf(motion.costs, options_.costs);
-    if (!motion.at_goal || (found_ && cost >= result_.cost)) return;
-    found_ = true;
-    result_.motion = std::move(motion);
-    result_.path = std::move(path);
-    result_.cost = cost;
+    if (!motion.at_goal || (best && cost >= best->cost)) return;
+    best = Candidate{std::move(path), std::move(motion), cost};
   }
 
   const Scene& scene_;
@@ -180,6 +222,8 @@ class Planning {
   std::optional<GoalGuide> guide_;
   Polyline way_;
   ContactFreeResult result_;
+  std::optional<Candidate> tracked_;  ///< The best motion of a robot that tracks its path,
+  std::optional<Candidate> direct_;   ///< and of one that is told every velocity.
   bool found_ = false;
 };
 

@@ -19,7 +19,7 @@ struct ContactFreeOptions {
   /// The robot, the cable, what contacts cost. No noise; the scene's radius replaces this one.
   TetherEnvOptions env = {.max_steps = 5000};
   SearchCosts costs;                           ///< What else counts.
-  std::vector<double> margins_m = {0.1, 0};    ///< Kept from obstacles, as far as it goes: the first that does.
+  double margin_m = 0.1;                       ///< Kept from obstacles by robot and cable, as far as that goes.
   std::int64_t budget = 60'000;                ///< States that are expanded at most.
   Watcher watch = {};                          ///< Told how far the search has come.
 };
