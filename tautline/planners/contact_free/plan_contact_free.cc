@@ -19,13 +19,17 @@ constexpr double kGrowth = 0.98;
 /// A motion takes at most so many times as long as the shortest way, and so many primitives more.
 constexpr double kDetour = 2.2;
 constexpr int kSpareLayers = 15;
+/// So many motions of a search are refined: those that cost least when they are tracked as they are.
+constexpr std::size_t kRefined = 3;
 /// One search of several.
 struct Pass {
   int width = 0;             ///< States that it follows.
   bool keeps_margin = true;  ///< Else contacts are all that counts: where the margin is not to be had.
+  int headings = 8;          ///< Into which a crowded place is divided: more help to turn, fewer to keep away.
 };
 /// Coarse to fine; the first that finds a motion without contacts is the last.
-constexpr Pass kPasses[] = {{60}, {60, false}, {240}, {240, false}, {720}, {720, false}, {2000}, {2000, false}};
+constexpr Pass kPasses[] = {{60},  {60, true, 1},   {60, false, 1}, {240}, {240, true, 1}, {240, false, 1},
+                            {720}, {720, false, 1}, {2000},         {2000, false, 1}};
 
 /// A motion to the goal and the path that belongs to it.
 struct Candidate {
@@ -133,7 +137,7 @@ class Planning {
     for (const Pass& pass : kPasses) {
       if (result_.expansions >= options_.budget || IsGoodEnough()) break;
       if (options_.watch && !options_.watch("search", static_cast<double>(result_.expansions) / options_.budget)) break;
-      SearchWith(env, pass.keeps_margin ? options_.margin_m : 0, pass.width);
+      SearchWith(env, pass);
     }
     Choose();
     if (!found_) {
@@ -164,7 +168,8 @@ class Planning {
     result_.cost = best.cost;
   }
 
-  void SearchWith(const TetherEnv& env, double margin_m, int width) {
+  void SearchWith(const TetherEnv& env, const Pass& pass) {
+    const double margin_m = pass.keeps_margin ? options_.margin_m : 0;
     std::optional<ContactMap> wary_map;
     std::optional<TetherEnv> wary;
     if (margin_m > 0) {
@@ -181,16 +186,23 @@ class Planning {
                                 .rays = &space_.rays(),
                                 .costs = {options_.costs.per_metre, margin_m > 0 ? options_.costs.cable_margin_m : 0},
                                 .keep_going = KeepGoingOf(options_.watch)};
-    SearchGrain grain{.width = width};
+    SearchGrain grain{.width = pass.width, .crowd = pass.headings == 1 ? 12 : 6, .crowd_headings = pass.headings};
     const double primitive_m = grain.primitive_steps * env.options().dt_s * env.options().speed_m_per_s;
     grain.layers = kSpareLayers + static_cast<int>(std::ceil(kDetour * Length(way_) / primitive_m));
     const SearchOutcome outcome = SearchMotion(problem, grain);
     result_.expansions += std::max<std::int64_t>(1, outcome.expansions);
+    std::vector<std::pair<double, Polyline>> paths;
     for (const std::vector<Velocity>& motion : outcome.motions) {
       DrivenMotion driven = DriveMotion(env, motion);
-      Polyline path = driven.Path();
+      const Polyline path = driven.Path();
+      const TrackResult track = TrackPath(*problem.env, path);
+      if (track.success()) paths.emplace_back(options_.costs.per_metre * track.driven_m - track.reward, path);
+      Offer(std::move(driven), path, direct_);
+    }
+    std::stable_sort(paths.begin(), paths.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    if (paths.size() > kRefined) paths.resize(kRefined);
+    for (const auto& [cost, path] : paths) {
       Refine(env, *problem.env, path);
-      Offer(std::move(driven), std::move(path), direct_);
       if (IsGoodEnough()) return;
     }
   }
@@ -199,8 +211,10 @@ class Planning {
   void Refine(const TetherEnv& env, const TetherEnv& wary, const Polyline& path) {
     const RefinedPath refined = RefinePath(wary, path, {.per_metre = options_.costs.per_metre});
     if (!std::isfinite(refined.cost)) return;
+    // Where nothing is grown, the robot does not shrink back from the margin.
+    const TrackResult track = TrackPath(env, refined.path);
     std::vector<Velocity> commands;
-    for (const DriveCommand& c : refined.track.commands) commands.push_back({c.speed_m_per_s, c.turn_rad_per_s});
+    for (const DriveCommand& c : track.commands) commands.push_back({c.speed_m_per_s, c.turn_rad_per_s});
     Offer(DriveMotion(env, commands), refined.path, tracked_);
   }
 
