@@ -21,14 +21,14 @@ FOLDER = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "contact_fr
 NEXT_GOAL = {
     "dots_1": (1.2, 1.2),
     "dots_2": (1.2, 10.4),
-    "dots_3": (5.8, 1.2),
+    "dots_3": (1.2, 1.2),
     "dots_4": (10.4, 1.2),
     "dots_5": (1.2, 1.2),
     "complex_1": (1.2, 10.4),
     "complex_2": (1.2, 1.2),
     "complex_3": (12.7, 1.2),
     "complex_4": (12.7, 8.1),
-    "complex_5": (1.2, 1.2),
+    "complex_5": (3.5, 1.2),
 }
 
 

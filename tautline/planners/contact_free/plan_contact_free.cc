@@ -209,8 +209,15 @@ class Planning {
 
   /// Bends a path where the margin counts, and offers what comes of it.
   void Refine(const TetherEnv& env, const TetherEnv& wary, const Polyline& path) {
-    const RefinedPath refined = RefinePath(wary, path, {.per_metre = options_.costs.per_metre});
+    RefinePathOptions how{.per_metre = options_.costs.per_metre, .steps_m = {0.4, 0.2}, .rounds = 1};
+    RefinedPath refined = RefinePath(wary, path, how);
     if (!std::isfinite(refined.cost)) return;
+    // What touches things even now is not worth more.
+    if (refined.track.cable_obstacle_steps + refined.track.cable_robot_steps == 0) {
+      how.steps_m = {0.3, 0.15, 0.06};
+      how.rounds = 2;
+      refined = RefinePath(wary, refined.path, how);
+    }
     // Where nothing is grown, the robot does not shrink back from the margin.
     const TrackResult track = TrackPath(env, refined.path);
     std::vector<Velocity> commands;

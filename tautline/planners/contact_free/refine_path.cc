@@ -1,8 +1,10 @@
 #include "tautline/planners/contact_free/refine_path.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "tautline/planners/contact_free/reference_path.h"
@@ -12,6 +14,12 @@ namespace {
 
 /// Gains below this are no gains.
 constexpr double kLeastGain = 1e-9;
+
+/// So many points at the beginning, and directions in which they are moved far.
+constexpr std::size_t kBeginning = 4;
+constexpr int kDirections = 12;
+
+bool TouchesAnything(const TrackResult& track) { return track.cable_obstacle_steps + track.cable_robot_steps > 0; }
 
 class Refining {
  public:
@@ -41,7 +49,20 @@ class Refining {
   }
 
  private:
+  /// Other beginnings: whether the robot turns left or right, wide or on the spot, decides where its tail sweeps.
+  void BeginOtherwise() {
+    for (std::size_t i = 1; i < std::min(kBeginning, best_.path.size()); ++i) {
+      for (const double far_m : {0.6, 1.2}) {
+        for (int k = 0; k < kDirections; ++k) {
+          const double angle = 2 * std::numbers::pi * k / kDirections;
+          Shift(i, far_m * Point{std::cos(angle), std::sin(angle)}, 0.5);
+        }
+      }
+    }
+  }
+
   void Descend() {
+    if (TouchesAnything(best_.track)) BeginOtherwise();
     for (const double step_m : options_.steps_m) {
       for (int round = 0; round < options_.rounds; ++round) {
         const double before = best_.cost;
