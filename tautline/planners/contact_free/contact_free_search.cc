@@ -17,6 +17,10 @@ namespace tautline {
 namespace {
 
 constexpr int kStepsPerCheck = 16;
+/// Motions of different classes and beginnings that are handed out at most.
+constexpr std::size_t kMostMotions = 24;
+/// Primitives that a beginning has, at most.
+constexpr int kBeginning = 4;
 
 /// The same velocity for so many steps.
 struct Primitive {
@@ -61,6 +65,7 @@ class WordNumbers {
 struct State {
   std::optional<TetherEnv> env;  ///< Until it is expanded.
   double cost = 0;               ///< So far.
+  int contacts = 0;              ///< Steps so far after which something touched.
   std::uint64_t key = 0;
   int parent = -1;
   int word = 0;                  ///< Of the robot's way from the base.
@@ -103,7 +108,7 @@ class Search {
           ++outcome.expansions;
           Expand(state);
         }
-        if (goal_ >= 0 && first_found < 0) first_found = layer;
+        if (found_clean_ && first_found < 0) first_found = layer;
         if (first_found >= 0) last = std::min(last, first_found + grain_.patience);
       }
     } catch (const Stopped&) {
@@ -114,21 +119,36 @@ class Search {
 
  private:
   SearchOutcome Ended(SearchEnd end, SearchOutcome outcome) const {
-    if (goal_ >= 0) return Found(outcome);
+    if (!goals_.empty()) return Found(outcome);
     outcome.end = end;
     return outcome;
   }
 
   SearchOutcome Found(SearchOutcome outcome) const {
     outcome.end = SearchEnd::kFound;
-    outcome.cost = states_[static_cast<std::size_t>(goal_)].cost;
-    for (int at = goal_; at >= 0; at = states_[static_cast<std::size_t>(at)].parent) {
-      const State& state = states_[static_cast<std::size_t>(at)];
-      outcome.motion.insert(outcome.motion.end(), static_cast<std::size_t>(state.steps), state.velocity);
-    }
-    std::reverse(outcome.motion.begin(), outcome.motion.end());
+    outcome.cost = goal_cost_;
+    std::vector<int> goals;
+    for (const auto& [kind, state] : goals_) goals.push_back(state);
+    std::sort(goals.begin(), goals.end(), [&](int a, int b) {
+      return std::pair(states_[static_cast<std::size_t>(a)].cost, a) < std::pair(states_[static_cast<std::size_t>(b)].cost, b);
+    });
+    if (goals.size() > kMostMotions) goals.resize(kMostMotions);
+    for (const int goal : goals) outcome.motions.push_back(MotionTo(goal));
     return outcome;
   }
+
+  std::vector<Velocity> MotionTo(int goal) const {
+    std::vector<Velocity> motion;
+    for (int at = goal; at >= 0; at = states_[static_cast<std::size_t>(at)].parent) {
+      const State& state = states_[static_cast<std::size_t>(at)];
+      motion.insert(motion.end(), static_cast<std::size_t>(state.steps), state.velocity);
+    }
+    std::reverse(motion.begin(), motion.end());
+    return motion;
+  }
+
+  /// What states may cost that are of interest yet.
+  double Limit() const { return std::min(problem_.to_beat, goal_cost_ + grain_.slack); }
 
   double Left(Point at) const {
     return per_metre_ * std::max(0.0, problem_.guide->LowerBound(at) - problem_.env->options().goal_radius_m);
@@ -136,7 +156,7 @@ class Search {
 
   void Push(State state) {
     const double left = Left(state.env->pose().at);
-    if (state.cost + left >= std::min(problem_.to_beat, goal_cost_)) return;
+    if (state.cost + left >= Limit()) return;
     const auto [found, is_new] = best_.try_emplace(state.key, state.cost);
     if (!is_new) {
       if (found->second <= state.cost) return;
@@ -173,7 +193,7 @@ class Search {
     };
     for (const Entry& entry : open_) {
       State& state = states_[static_cast<std::size_t>(entry.state)];
-      const bool live = state.cost <= best_.at(state.key) && state.cost + entry.left < std::min(problem_.to_beat, goal_cost_);
+      const bool live = state.cost <= best_.at(state.key) && state.cost + entry.left < Limit();
       if (!live) {
         state.env.reset();
       } else if (!take(entry, grain_.width)) {
@@ -195,6 +215,7 @@ class Search {
   std::uint64_t CrowdOf(const State& state) const {
     const Pose& pose = state.env->pose();
     std::uint64_t key = Mix(0, CellOf(pose.at.x, grain_.crowd_m));
+    key = Mix(key, CellOf(pose.heading_rad, 2 * std::numbers::pi / grain_.crowd_headings));
     return Mix(Mix(key, CellOf(pose.at.y, grain_.crowd_m)), state.word);
   }
 
@@ -223,18 +244,36 @@ class Search {
       at_goal = step.at_goal;
     }
     state.cost = parent.cost + costs.penalty + problem_.costs.per_metre * costs.length_m;
+    state.contacts = parent.contacts + costs.cable_obstacle_steps + costs.cable_robot_steps;
     FollowWord(env.pose().at, state);
     if (costs.cable_obstacle_steps > 0 && !CableHasWord(state)) return;
     if (at_goal) {
-      if (state.cost < std::min(problem_.to_beat, goal_cost_)) {
-        goal_ = static_cast<int>(states_.size());
-        goal_cost_ = state.cost;
-        states_.push_back(std::move(state));
-      }
+      AddGoal(std::move(state));
       return;
     }
     state.key = KeyOf(state);
     Push(std::move(state));
+  }
+
+  void AddGoal(State state) {
+    if (state.cost >= problem_.to_beat) return;
+    const std::pair kind(state.word, BeginningOf(state));
+    const auto [found, is_new] = goals_.try_emplace(kind, static_cast<int>(states_.size()));
+    if (!is_new && states_[static_cast<std::size_t>(found->second)].cost <= state.cost) return;
+    found->second = static_cast<int>(states_.size());
+    found_clean_ = found_clean_ || state.contacts == 0;
+    goal_cost_ = std::min(goal_cost_, state.cost);
+    states_.push_back(std::move(state));
+  }
+
+  /// The state that a few primitives had led to on the way: how the motion begins.
+  std::uint64_t BeginningOf(const State& state) const {
+    std::array<std::uint64_t, kBeginning> first{};
+    int depth = 0;
+    for (int at = state.parent; at >= 0; at = states_[static_cast<std::size_t>(at)].parent) {
+      first[static_cast<std::size_t>(depth++ % kBeginning)] = states_[static_cast<std::size_t>(at)].key;
+    }
+    return first[static_cast<std::size_t>(depth % kBeginning)];
   }
 
   void FollowWord(Point from, State& state) {
@@ -289,8 +328,10 @@ class Search {
   std::vector<State> states_;
   std::unordered_map<std::uint64_t, double> best_;
   std::vector<Entry> open_;
-  int goal_ = -1;
+  /// The cheapest state at the goal, by its word and how the motion begins.
+  std::map<std::pair<int, std::uint64_t>, int> goals_;
   double goal_cost_ = std::numeric_limits<double>::infinity();
+  bool found_clean_ = false;  ///< One of these without a contact.
 };
 
 }  // namespace

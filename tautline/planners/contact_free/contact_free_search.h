@@ -21,10 +21,12 @@ struct SearchGrain {
   int shape_nodes = 3;      ///< So many nodes before the tail count, besides the class of the whole cable.
   int primitive_steps = 6;  ///< Steps of the environment in a motion primitive.
   int width = 300;          ///< States that are followed from each layer, and a quarter more that are near the goal.
-  int crowd = 12;           ///< Of these, so many at most in one place and class;
-  double crowd_m = 0.5;     ///< the side of such a place.
+  int crowd = 6;           ///< Of these, so many at most in one place and class;
+  double crowd_m = 0.5;     ///< the side of such a place,
+  int crowd_headings = 8;   ///< and into how many its headings are divided.
   int layers = 120;         ///< Primitives in a motion at most.
-  int patience = 20;        ///< Layers after that of the first motion found, at most.
+  int patience = 8;         ///< Layers after that of the first motion without contacts.
+  double slack = 0.6;       ///< Motions that cost so much more than the best are of interest, too.
   double risk = 0.1;        ///< What a node of the cable at an obstacle counts when states are ranked, as a cost;
   double risk_m = 0.4;      ///< nothing at this distance.
 };
@@ -45,8 +47,10 @@ enum class SearchEnd : std::uint8_t {
 /// What a search found.
 struct SearchOutcome {
   SearchEnd end = SearchEnd::kExhausted;  ///< How it ended.
-  std::vector<Velocity> motion;           ///< One velocity a step; when found.
-  double cost = 0;                        ///< Of the motion, as the search counts.
+  /// The best motions that differ in their class or in how they begin, the best of all first, of one velocity a step
+  /// each. Empty unless found.
+  std::vector<std::vector<Velocity>> motions;
+  double cost = 0;                        ///< Of the first motion, as the search counts.
   std::int64_t expansions = 0;            ///< States expanded.
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tautline/homotopy/classes.h"
+#include "tautline/planners/contact_free/refine_path.h"
 #include "tautline/scene/number_text.h"
 
 namespace tautline {
@@ -15,8 +16,35 @@ constexpr double kGuideCell = 0.1, kMapCell = 0.1;
 /// The space that gives distances grows by this share of the robot's radius: corners are rounded outwards by up to a
 /// hundredth, and wherever the robot may stand must be inside.
 constexpr double kGrowth = 0.98;
-/// The first search follows so many states of a layer; each that follows, so many times as many.
-constexpr int kFirstWidth = 60, kWider = 4;
+/// A motion takes at most so many times as long as the shortest way, and so many primitives more.
+constexpr double kDetour = 2.2;
+constexpr int kSpareLayers = 15;
+/// So many motions of a search are refined: those that cost least when they are tracked as they are.
+constexpr std::size_t kRefined = 3;
+/// One search of several.
+struct Pass {
+  int width = 0;             ///< States that it follows.
+  bool keeps_margin = true;  ///< Else contacts are all that counts: where the margin is not to be had.
+  int headings = 8;          ///< Into which a crowded place is divided: more help to turn, fewer to keep away.
+};
+/// Coarse to fine; the first that finds a motion without contacts is the last.
+constexpr Pass kPasses[] = {{60},  {60, true, 1},   {60, false, 1}, {240}, {240, true, 1}, {240, false, 1},
+                            {720}, {720, false, 1}, {2000},         {2000, false, 1}};
+
+/// A motion to the goal and the path that belongs to it.
+struct Candidate {
+  Polyline path;
+  DrivenMotion motion;
+  double cost = 0;
+
+  int contacts() const { return motion.costs.cable_obstacle_steps + motion.costs.cable_robot_steps; }
+};
+
+/// For a search, which has no stages to tell of.
+KeepGoing KeepGoingOf(const Watcher& watch) {
+  if (!watch) return {};
+  return [watch] { return watch("search", -1); };
+}
 
 std::string TextOf(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
 
@@ -106,25 +134,42 @@ class Planning {
     result_.shortest_m = std::max(0.0, Length(way_) - env.options().goal_radius_m);
     result_.bound =
         result_.shortest_m * (options_.costs.per_metre - env.options().reward.time / (speed * env.options().dt_s));
-    for (int width = kFirstWidth; result_.expansions < options_.budget && !IsGoodEnough(); width *= kWider) {
-      for (const double margin_m : options_.margins_m) {
-        if (!IsGoodEnough()) SearchWith(env, margin_m, width);
-      }
+    for (const Pass& pass : kPasses) {
+      if (result_.expansions >= options_.budget || IsGoodEnough()) break;
+      if (options_.watch && !options_.watch("search", static_cast<double>(result_.expansions) / options_.budget)) break;
+      SearchWith(env, pass);
     }
-    result_.status = found_ ? ContactFreeStatus::kSolved : ContactFreeStatus::kBudgetExceeded;
+    Choose();
     if (!found_) {
+      result_.status = ContactFreeStatus::kBudgetExceeded;
       Refuse("budget_exceeded", "no motion was found among " + std::to_string(result_.expansions) +
                                     " states; one may exist: give a larger --budget");
       return;
     }
+    result_.status = ContactFreeStatus::kSolved;
     Polyline way = laid_;
     for (const Pose& pose : result_.motion.poses) way.push_back(pose.at);
     result_.tether = Shorten(space_, way).path;
   }
 
-  bool IsGoodEnough() const { return found_ && result_.contacts_proved(); }
+  /// A motion of tracking, which touches nothing.
+  bool IsGoodEnough() const { return tracked_ && tracked_->contacts() == 0; }
 
-  void SearchWith(const TetherEnv& env, double margin_m, int width) {
+  /// The tracked motion, unless driving without a path to track touches less.
+  void Choose() {
+    const auto costs_less = [](const Candidate& a, const Candidate& b) {
+      return a.contacts() < b.contacts() && a.cost < b.cost;
+    };
+    if (!tracked_ && !direct_) return;
+    found_ = true;
+    Candidate& best = tracked_ && !(direct_ && costs_less(*direct_, *tracked_)) ? *tracked_ : *direct_;
+    result_.path = std::move(best.path);
+    result_.motion = std::move(best.motion);
+    result_.cost = best.cost;
+  }
+
+  void SearchWith(const TetherEnv& env, const Pass& pass) {
+    const double margin_m = pass.keeps_margin ? options_.margin_m : 0;
     std::optional<ContactMap> wary_map;
     std::optional<TetherEnv> wary;
     if (margin_m > 0) {
@@ -139,16 +184,52 @@ class Planning {
     const SearchProblem problem{.env = wary ? &*wary : &env,
                                 .guide = &*guide_,
                                 .rays = &space_.rays(),
-                                .costs = {options_.costs.per_metre, margin_m > 0 ? options_.costs.cable_margin_m : 0}};
-    const SearchOutcome outcome = SearchMotion(problem, {.width = width});
+                                .costs = {options_.costs.per_metre, margin_m > 0 ? options_.costs.cable_margin_m : 0},
+                                .keep_going = KeepGoingOf(options_.watch)};
+    SearchGrain grain{.width = pass.width, .crowd = pass.headings == 1 ? 12 : 6, .crowd_headings = pass.headings};
+    const double primitive_m = grain.primitive_steps * env.options().dt_s * env.options().speed_m_per_s;
+    grain.layers = kSpareLayers + static_cast<int>(std::ceil(kDetour * Length(way_) / primitive_m));
+    const SearchOutcome outcome = SearchMotion(problem, grain);
     result_.expansions += std::max<std::int64_t>(1, outcome.expansions);
-    if (outcome.end != SearchEnd::kFound) return;
-    DrivenMotion driven = DriveMotion(env, outcome.motion);
-    const double cost = CostOf(driven.costs, options_.costs);
-    if (!driven.at_goal || (found_ && cost >= result_.cost)) return;
-    found_ = true;
-    result_.motion = std::move(driven);
-    result_.cost = cost;
+    std::vector<std::pair<double, Polyline>> paths;
+    for (const std::vector<Velocity>& motion : outcome.motions) {
+      DrivenMotion driven = DriveMotion(env, motion);
+      const Polyline path = driven.Path();
+      const TrackResult track = TrackPath(*problem.env, path);
+      if (track.success()) paths.emplace_back(options_.costs.per_metre * track.driven_m - track.reward, path);
+      Offer(std::move(driven), path, direct_);
+    }
+    std::stable_sort(paths.begin(), paths.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    if (paths.size() > kRefined) paths.resize(kRefined);
+    for (const auto& [cost, path] : paths) {
+      Refine(env, *problem.env, path);
+      if (IsGoodEnough()) return;
+    }
+  }
+
+  /// Bends a path where the margin counts, and offers what comes of it.
+  void Refine(const TetherEnv& env, const TetherEnv& wary, const Polyline& path) {
+    RefinePathOptions how{.per_metre = options_.costs.per_metre, .steps_m = {0.4, 0.2}, .rounds = 1};
+    RefinedPath refined = RefinePath(wary, path, how);
+    if (!std::isfinite(refined.cost)) return;
+    // What touches things even now is not worth more.
+    if (refined.track.cable_obstacle_steps + refined.track.cable_robot_steps == 0) {
+      how.steps_m = {0.3, 0.15, 0.06};
+      how.rounds = 2;
+      refined = RefinePath(wary, refined.path, how);
+    }
+    // Where nothing is grown, the robot does not shrink back from the margin.
+    const TrackResult track = TrackPath(env, refined.path);
+    std::vector<Velocity> commands;
+    for (const DriveCommand& c : track.commands) commands.push_back({c.speed_m_per_s, c.turn_rad_per_s});
+    Offer(DriveMotion(env, commands), refined.path, tracked_);
+  }
+
+  /// Keeps the motion if none is better.
+  void Offer(DrivenMotion motion, Polyline path, std::optional<Candidate>& best) const {
+    const double cost = CostOf(motion.costs, options_.costs);
+    if (!motion.at_goal || (best && cost >= best->cost)) return;
+    best = Candidate{std::move(path), std::move(motion), cost};
   }
 
   const Scene& scene_;
@@ -162,6 +243,8 @@ class Planning {
   std::optional<GoalGuide> guide_;
   Polyline way_;
   ContactFreeResult result_;
+  std::optional<Candidate> tracked_;  ///< The best motion of a robot that tracks its path,
+  std::optional<Candidate> direct_;   ///< and of one that is told every velocity.
   bool found_ = false;
 };
 

@@ -19,7 +19,7 @@ struct ContactFreeOptions {
   /// The robot, the cable, what contacts cost. No noise; the scene's radius replaces this one.
   TetherEnvOptions env = {.max_steps = 5000};
   SearchCosts costs;                           ///< What else counts.
-  std::vector<double> margins_m = {0.1, 0};    ///< Kept from obstacles, as far as it goes: the first that does.
+  double margin_m = 0.1;                       ///< Kept from obstacles by robot and cable, as far as that goes.
   std::int64_t budget = 60'000;                ///< States that are expanded at most.
   Watcher watch = {};                          ///< Told how far the search has come.
 };
@@ -33,6 +33,7 @@ struct ContactFreeResult {
   std::string reason;       ///< The slug of formats.md, "goal_blocked", ...; empty when solved.
   std::string explanation;  ///< One sentence with the numbers when there is no plan.
   TetherEnvOptions env;     ///< The environment that was planned in: the scene's radius, no goal reward.
+  Polyline path;            ///< For the robot to track.
   DrivenMotion motion;      ///< As the environment drives it, contacts and costs included.
   double cost = 0;          ///< Of the motion: its penalty and what its length counts.
   double bound = 0;         ///< No motion to the goal costs less.

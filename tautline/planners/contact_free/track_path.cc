@@ -57,6 +57,7 @@ class Tracking {
     const EnvStep step = next.StepWith(command.speed_m_per_s, command.turn_rad_per_s);
     if (Refused(step)) return step;
     moved_ = true;
+    result_.commands.push_back(command);
     Take(std::move(next), step);
     return step;
   }
