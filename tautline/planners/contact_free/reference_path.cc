@@ -1,5 +1,6 @@
 #include "tautline/planners/contact_free/reference_path.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tautline/base/check.h"
