@@ -25,7 +25,7 @@ struct SearchGrain {
   double crowd_m = 0.5;     ///< the side of such a place,
   int crowd_headings = 8;   ///< and into how many its headings are divided.
   int layers = 120;         ///< Primitives in a motion at most.
-  int patience = 8;         ///< Layers after that of the first motion without contacts.
+  int patience = 12;        ///< Layers after that of the first motion without contacts.
   double slack = 0.6;       ///< Motions that cost so much more than the best are of interest, too.
   double risk = 0.1;        ///< What a node of the cable at an obstacle counts when states are ranked, as a cost;
   double risk_m = 0.4;      ///< nothing at this distance.
