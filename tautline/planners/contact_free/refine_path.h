@@ -26,7 +26,7 @@ struct RefinedPath {
   int trials = 0;     ///< Paths that were tracked.
 };
 
-/// Moves the points of a path one after the other, sideways, along and to between their neighbours, and keeps what makes
+/// Leaves out points of a path, moves the others sideways, along and to between their neighbours, and keeps what makes
 /// the tracked robot's cost less: what a bend does to the cable long after it is counted in full. An environment whose
 /// rewards count the goal or the reference would count them. Requires a path of a point or more from where the robot
 /// stands. Deterministic. O(trials * steps of a drive).
