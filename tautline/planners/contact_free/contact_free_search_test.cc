@@ -59,9 +59,10 @@ double LeastCost(const TetherEnv& env, int primitives_left) {
   constexpr double kPerMetre = 0.2;
   double least = std::numeric_limits<double>::infinity();
   if (primitives_left == 0) return least;
-  for (const auto& [speed, turn, steps] : {std::tuple(1.0, 0.0, 3), std::tuple(1.0, 0.5, 3), std::tuple(1.0, -0.5, 3),
-                                           std::tuple(1.0, 1.0, 3), std::tuple(1.0, -1.0, 3), std::tuple(1.0, 2.0, 3),
-                                           std::tuple(1.0, -2.0, 3), std::tuple(0.0, 2.0, 1), std::tuple(0.0, -2.0, 1)}) {
+  for (const auto& [speed, turn, steps] :
+       {std::tuple(1.0, 0.0, 3), std::tuple(1.0, 0.5, 3), std::tuple(1.0, -0.5, 3), std::tuple(1.0, 1.0, 3),
+        std::tuple(1.0, -1.0, 3), std::tuple(1.0, 2.0, 3), std::tuple(1.0, -2.0, 3), std::tuple(0.0, 2.0, 1),
+        std::tuple(0.0, -2.0, 1)}) {
     TetherEnv driven = env;
     double cost = 0;
     bool refused = false, at_goal = false;

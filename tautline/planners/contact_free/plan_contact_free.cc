@@ -32,7 +32,7 @@ struct Pass {
   bool is_last = false;      ///< It is to shorten what is found already.
 };
 /// Coarse to fine; the first that finds a motion without contacts is the last.
-constexpr Pass kPasses[] = {{60},  {60, true, 1},   {60, false, 1}, {240}, {240, true, 1}, {240, false, 1},
+constexpr Pass kPasses[] = {{60},  {60, true, 1},   {60, false, 1}, {240},           {240, true, 1}, {240, false, 1},
                             {720}, {720, false, 1}, {2000},         {2000, false, 1}};
 
 /// Where the first motion without contacts is longer than the shortest way by this factor, these searches follow.
@@ -112,20 +112,19 @@ class Planning {
       return true;
     }
     if (const Shortened laid = Shorten(space_, laid_); laid.departure) {
-      Refuse("laid_cable_blocked",
-             "the laid cable runs into an obstacle or a wall at " + TextOf(laid.departure->at));
+      Refuse("laid_cable_blocked", "the laid cable runs into an obstacle or a wall at " + TextOf(laid.departure->at));
       return true;
     }
     if (Length(laid_) > length * (1 + kLengthTolerance)) {
-      Refuse("laid_cable_too_long", "the laid cable takes " + Metres(Length(laid_)) + ", and there are " +
-                                        Metres(length) + " of it");
+      Refuse("laid_cable_too_long",
+             "the laid cable takes " + Metres(Length(laid_)) + ", and there are " + Metres(length) + " of it");
       return true;
     }
     guide_.emplace(room_, *goal_, kGuideCell);
     way_ = guide_->ShortestPath(laid_.back());
     if (way_.empty()) {
-      Refuse("goal_unreachable", "no way is wide enough for " + disc + "the robot from " + TextOf(laid_.back()) +
-                                     " to " + TextOf(goal_at));
+      Refuse("goal_unreachable",
+             "no way is wide enough for " + disc + "the robot from " + TextOf(laid_.back()) + " to " + TextOf(goal_at));
       return true;
     }
     return IsTetherTooShort();
@@ -175,7 +174,8 @@ class Planning {
   void Choose() {
     if (!tracked_ && !direct_) return;
     found_ = true;
-    Candidate& best = tracked_ && !(direct_ && direct_->touching() + kWorthTracking < tracked_->touching()) ? *tracked_ : *direct_;
+    Candidate& best =
+        tracked_ && !(direct_ && direct_->touching() + kWorthTracking < tracked_->touching()) ? *tracked_ : *direct_;
     result_.path = std::move(best.path);
     result_.motion = std::move(best.motion);
     result_.cost = best.cost;
@@ -258,8 +258,8 @@ class Planning {
   TetherTask task_;
   Polyline laid_;
   ContactMap map_;
-  TautSpace space_;  ///< For cables.
-  TautSpace room_;   ///< For the robot's centre.
+  TautSpace space_;                     ///< For cables.
+  TautSpace room_;                      ///< For the robot's centre.
   std::optional<ContactMap> wary_map_;  ///< Grown by the margin.
   std::optional<TetherEnv> wary_;
   std::optional<Place> goal_;

@@ -78,8 +78,8 @@ TEST(PlanContactFree, ItsPathIsOneToTrack) {
 }
 
 TEST(PlanContactFree, TurnsBackWithoutDrivingOverItsCable) {
-  const Scene scene =
-      SceneOf({Rectangle(5, 4.5, 1, 1)}, {.base = {2, 4}, .length = 25, .laid = Polyline{{2, 4}, {5.5, 4}, {9, 6}}}, {2, 7});
+  const Scene scene = SceneOf({Rectangle(5, 4.5, 1, 1)},
+                              {.base = {2, 4}, .length = 25, .laid = Polyline{{2, 4}, {5.5, 4}, {9, 6}}}, {2, 7});
   const ContactFreeResult result = Plan(scene);
   ASSERT_EQ(result.status, ContactFreeStatus::kSolved) << result.explanation;
   ExpectReplayed(scene, result);
@@ -110,9 +110,9 @@ TEST(PlanContactFree, ProvesWhatCannotBe) {
   EXPECT_EQ(reason(SceneOf({}, {.base = {2, 6}, .length = 4}, {9, 6})), "tether_too_short");
   EXPECT_EQ(reason(SceneOf({}, {.base = {2, 6}, .length = 4, .laid = Polyline{{2, 6}, {7, 6}}}, {3, 3})),
             "laid_cable_too_long");
-  EXPECT_EQ(reason(SceneOf({Rectangle(5, 5, 1, 2)}, {.base = {2, 6}, .length = 9, .laid = Polyline{{2, 6}, {9, 6}}},
-                           {3, 3})),
-            "laid_cable_blocked");
+  EXPECT_EQ(
+      reason(SceneOf({Rectangle(5, 5, 1, 2)}, {.base = {2, 6}, .length = 9, .laid = Polyline{{2, 6}, {9, 6}}}, {3, 3})),
+      "laid_cable_blocked");
 }
 
 TEST(PlanContactFree, CountsWhatTheRobotSparesOfTheTether) {
@@ -145,8 +145,8 @@ TEST(PlanContactFreeRandom, CostsAreThoseOfTheEnvironment) {
       rectangles.push_back(
           Rectangle(rng.Uniform(2.5, 8.5), rng.Uniform(2.5, 8.5), rng.Uniform(0.4, 1.5), rng.Uniform(0.4, 1.5)));
     }
-    const Scene scene = SceneOf(rectangles, {.base = {1.5, 1.5}, .length = 22},
-                                {rng.Uniform(9.5, 10.8), rng.Uniform(7, 10.8)});
+    const Scene scene =
+        SceneOf(rectangles, {.base = {1.5, 1.5}, .length = 22}, {rng.Uniform(9.5, 10.8), rng.Uniform(7, 10.8)});
     const ContactFreeResult result = Plan(scene, {.budget = 3000});
     if (result.status != ContactFreeStatus::kSolved) continue;
     ++solved;

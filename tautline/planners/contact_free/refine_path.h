@@ -11,11 +11,11 @@ namespace tautline {
 
 /// How a path is refined.
 struct RefinePathOptions {
-  double per_metre = 0.2;                            ///< What a metre driven costs, besides minus the rewards.
-  double spacing_m = 0.7;                            ///< Between the points that are moved. Positive.
+  double per_metre = 0.2;                               ///< What a metre driven costs, besides minus the rewards.
+  double spacing_m = 0.7;                               ///< Between the points that are moved. Positive.
   std::vector<double> steps_m = {0.4, 0.2, 0.1, 0.05};  ///< By how much, coarse to fine.
-  int rounds = 3;                                    ///< With each, at most, while there is something to gain.
-  KeepGoing keep_going = {};                         ///< Asked before each trial; at a no the best so far is returned.
+  int rounds = 3;                                       ///< With each, at most, while there is something to gain.
+  KeepGoing keep_going = {};  ///< Asked before each trial; at a no the best so far is returned.
 };
 
 /// A path and what tracking it comes to.
