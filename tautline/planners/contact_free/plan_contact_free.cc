@@ -54,10 +54,10 @@ struct Candidate {
   int contacts() const { return motion.costs.cable_obstacle_steps + motion.costs.cable_robot_steps; }
 };
 
-/// For a search, which has no stages to tell of.
-KeepGoing KeepGoingOf(const Watcher& watch) {
+/// For a search, which does not tell how far it is.
+KeepGoing KeepGoingOf(const Watcher& watch, double share) {
   if (!watch) return {};
-  return [watch] { return watch("search", -1); };
+  return [watch, share] { return watch("search", share); };
 }
 
 std::string TextOf(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
@@ -150,7 +150,7 @@ class Planning {
     PrepareMargin();
     for (const Pass& pass : kPasses) {
       if (result_.expansions >= options_.budget || IsGoodEnough()) break;
-      if (options_.watch && !options_.watch("search", static_cast<double>(result_.expansions) / options_.budget)) break;
+      if (options_.watch && !options_.watch("search", Share())) break;
       SearchWith(env, pass);
     }
     if (IsGoodEnough()) ShortenBest(env);
@@ -165,6 +165,11 @@ class Planning {
     Polyline way = laid_;
     for (const Pose& pose : result_.motion.poses) way.push_back(pose.at);
     result_.tether = Shorten(space_, way).path;
+  }
+
+  /// Of the budget that is used up.
+  double Share() const {
+    return std::min(1.0, static_cast<double>(result_.expansions) / static_cast<double>(options_.budget));
   }
 
   /// A motion of tracking, which touches nothing.
@@ -197,7 +202,7 @@ class Planning {
                                 .guide = &*guide_,
                                 .rays = &space_.rays(),
                                 .costs = {options_.costs.per_metre, margin_m > 0 ? options_.costs.cable_margin_m : 0},
-                                .keep_going = KeepGoingOf(options_.watch)};
+                                .keep_going = KeepGoingOf(options_.watch, Share())};
     SearchGrain grain{.width = pass.width, .crowd = pass.headings == 1 ? 12 : 6, .crowd_headings = pass.headings};
     const double primitive_m = grain.primitive_steps * env.options().dt_s * env.options().speed_m_per_s;
     grain.layers = kSpareLayers + static_cast<int>(std::ceil(kDetour * Length(way_) / primitive_m));
