@@ -20,15 +20,15 @@ FOLDER = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "contact_fr
 # Chosen so that the cable is in the way: most goals lie past the base, or on the other side of the cable.
 NEXT_GOAL = {
     "dots_1": (1.2, 1.2),
-    "dots_2": (1.2, 10.4),
-    "dots_3": (1.2, 1.2),
+    "dots_2": (1.2, 5.8),
+    "dots_3": (8.0, 1.2),
     "dots_4": (10.4, 1.2),
     "dots_5": (1.2, 1.2),
     "complex_1": (1.2, 10.4),
-    "complex_2": (1.2, 1.2),
+    "complex_2": (1.2, 3.5),
     "complex_3": (12.7, 1.2),
     "complex_4": (12.7, 8.1),
-    "complex_5": (3.5, 1.2),
+    "complex_5": (8.1, 1.2),
 }
 
 

@@ -19,7 +19,7 @@ struct PlanCommand {
   bool field = false;                ///< From everywhere instead of from the robot.
   std::optional<double> resolution;  ///< Of the field, metres.
   std::int64_t field_classes = 1;
-  bool contact_free = false;  ///< With a simulated cable that is to touch nothing.
+  bool contact_free = false;           ///< With a simulated cable that is to touch nothing.
   std::optional<double> robot_radius;  ///< Instead of the scene's, metres.
   ContactFreeOptions contact_free_options;
 };

@@ -16,7 +16,7 @@ const LineStyle kEndCableLine = {.colour = "#8f6400", .width = 2.6};
 const LineStyle kPassingCableLine = {.colour = "#c9ab6b", .width = 1};
 const LineStyle kLaidCableLine = {.colour = "#333333", .width = 1.6, .dashes = "5 3"};
 constexpr char kRobotColour[] = "#0b4a8f";
-constexpr double kSnapshotEvery = 3;                                        // Seconds.
+constexpr double kSnapshotEvery = 3;                                             // Seconds.
 constexpr double kShortestFilm = 5, kLongestFilm = 30, kHold = 2, kSpeedUp = 2;  // Of the viewer's time; times.
 constexpr std::size_t kMostFilmFrames = 240;
 

@@ -68,9 +68,9 @@ struct State {
   int contacts = 0;              ///< Steps so far after which something touched.
   std::uint64_t key = 0;
   int parent = -1;
-  int word = 0;                  ///< Of the robot's way from the base.
-  Velocity velocity;             ///< That led here from the parent,
-  int steps = 0;                 ///< for so many steps.
+  int word = 0;       ///< Of the robot's way from the base.
+  Velocity velocity;  ///< That led here from the parent,
+  int steps = 0;      ///< for so many steps.
 };
 
 struct Entry {
@@ -130,7 +130,8 @@ class Search {
     std::vector<int> goals;
     for (const auto& [kind, state] : goals_) goals.push_back(state);
     std::sort(goals.begin(), goals.end(), [&](int a, int b) {
-      return std::pair(states_[static_cast<std::size_t>(a)].cost, a) < std::pair(states_[static_cast<std::size_t>(b)].cost, b);
+      return std::pair(states_[static_cast<std::size_t>(a)].cost, a) <
+             std::pair(states_[static_cast<std::size_t>(b)].cost, b);
     });
     if (goals.size() > kMostMotions) goals.resize(kMostMotions);
     for (const int goal : goals) outcome.motions.push_back(MotionTo(goal));
@@ -309,7 +310,8 @@ class Search {
     const double sector = 2 * std::numbers::pi / grain_.headings;
     std::uint64_t key = Mix(0, CellOf(pose.at.x, grain_.cell_m));
     key = Mix(key, CellOf(pose.at.y, grain_.cell_m));
-    key = Mix(key, (static_cast<std::int64_t>(std::lround(pose.heading_rad / sector)) + grain_.headings) % grain_.headings);
+    key = Mix(key,
+              (static_cast<std::int64_t>(std::lround(pose.heading_rad / sector)) + grain_.headings) % grain_.headings);
     key = Mix(key, state.word);
     const auto nodes = state.env->cable().nodes();
     const int count = std::min(grain_.shape_nodes, static_cast<int>(nodes.size()) - 2);

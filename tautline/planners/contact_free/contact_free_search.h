@@ -21,11 +21,11 @@ struct SearchGrain {
   int shape_nodes = 3;      ///< So many nodes before the tail count, besides the class of the whole cable.
   int primitive_steps = 6;  ///< Steps of the environment in a motion primitive.
   int width = 300;          ///< States that are followed from each layer, and a quarter more that are near the goal.
-  int crowd = 6;           ///< Of these, so many at most in one place and class;
+  int crowd = 6;            ///< Of these, so many at most in one place and class;
   double crowd_m = 0.5;     ///< the side of such a place,
   int crowd_headings = 8;   ///< and into how many its headings are divided.
   int layers = 120;         ///< Primitives in a motion at most.
-  int patience = 8;         ///< Layers after that of the first motion without contacts.
+  int patience = 12;        ///< Layers after that of the first motion without contacts.
   double slack = 0.6;       ///< Motions that cost so much more than the best are of interest, too.
   double risk = 0.1;        ///< What a node of the cable at an obstacle counts when states are ranked, as a cost;
   double risk_m = 0.4;      ///< nothing at this distance.
@@ -33,8 +33,8 @@ struct SearchGrain {
 
 /// What a motion costs a search.
 struct SearchCosts {
-  double per_metre = 0.2;        ///< For driving, besides what the environment takes.
-  double cable_margin_m = 0.1;   ///< Nodes of the cable nearer than this to the robot's disc count as touching.
+  double per_metre = 0.2;       ///< For driving, besides what the environment takes.
+  double cable_margin_m = 0.1;  ///< Nodes of the cable nearer than this to the robot's disc count as touching.
 };
 
 /// How a search ended.
@@ -50,8 +50,8 @@ struct SearchOutcome {
   /// The best motions that differ in their class or in how they begin, the best of all first, of one velocity a step
   /// each. Empty unless found.
   std::vector<std::vector<Velocity>> motions;
-  double cost = 0;                        ///< Of the first motion, as the search counts.
-  std::int64_t expansions = 0;            ///< States expanded.
+  double cost = 0;              ///< Of the first motion, as the search counts.
+  std::int64_t expansions = 0;  ///< States expanded.
 };
 
 /// What a search needs to know.
@@ -62,13 +62,13 @@ struct SearchProblem {
   SearchCosts costs;               ///< Besides the environment's penalties.
   /// Motions that cost as much are of no interest.
   double to_beat = std::numeric_limits<double>::infinity();
-  KeepGoing keep_going = {};       ///< Asked at every expansion.
+  KeepGoing keep_going = {};  ///< Asked at every expansion.
 };
 
 /// Search in layers over (pose, cable) with motion primitives: straight on, arcs, turns on the spot, each of several
 /// steps of the environment, cut where the goal is reached. Two states are one when the robot's cell and heading, the
-/// class of its way, and the cells of the last nodes of the cable agree; the dearer one is given up. From each layer the
-/// states with the least cost so far, distance left and risk are followed, spread over the plane: what a bend costs
+/// class of its way, and the cells of the last nodes of the cable agree; the dearer one is given up. From each layer
+/// the states with the least cost so far, distance left and risk are followed, spread over the plane: what a bend costs
 /// shows only when the cable has been dragged around it, and by then a best-first search would have turned over all
 /// that lies before the bend. A motion never pulls the cable through an obstacle: one that touched obstacles must still
 /// have the class of the robot's way. With room for all states and cells that tell all apart, it is exhaustive.

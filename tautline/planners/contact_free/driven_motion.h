@@ -35,12 +35,12 @@ struct MotionCosts {
 
 /// A motion and what comes of it.
 struct DrivenMotion {
-  std::vector<Velocity> velocities;   ///< One a step.
-  std::vector<Pose> poses;            ///< Where it starts, and after each step.
-  std::vector<Polyline> cables;       ///< From base to tail, at the same times.
-  std::vector<EnvStep> outcomes;      ///< Of each step.
-  MotionCosts costs;                  ///< Of all steps.
-  bool at_goal = false;               ///< It ends there.
+  std::vector<Velocity> velocities;  ///< One a step.
+  std::vector<Pose> poses;           ///< Where it starts, and after each step.
+  std::vector<Polyline> cables;      ///< From base to tail, at the same times.
+  std::vector<EnvStep> outcomes;     ///< Of each step.
+  MotionCosts costs;                 ///< Of all steps.
+  bool at_goal = false;              ///< It ends there.
 
   /// The way of the robot's centre.
   Polyline Path() const;

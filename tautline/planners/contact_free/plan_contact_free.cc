@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "tautline/homotopy/classes.h"
 #include "tautline/planners/contact_free/refine_path.h"
@@ -21,15 +22,22 @@ constexpr double kDetour = 2.2;
 constexpr int kSpareLayers = 15;
 /// So many motions of a search are refined: those that cost least when they are tracked as they are.
 constexpr std::size_t kRefined = 3;
+/// A motion that tracks its path is worth this many contacts more than one that is told every velocity.
+constexpr double kWorthTracking = 1;
 /// One search of several.
 struct Pass {
   int width = 0;             ///< States that it follows.
   bool keeps_margin = true;  ///< Else contacts are all that counts: where the margin is not to be had.
   int headings = 8;          ///< Into which a crowded place is divided: more help to turn, fewer to keep away.
+  bool is_last = false;      ///< It is to shorten what is found already.
 };
 /// Coarse to fine; the first that finds a motion without contacts is the last.
-constexpr Pass kPasses[] = {{60},  {60, true, 1},   {60, false, 1}, {240}, {240, true, 1}, {240, false, 1},
+constexpr Pass kPasses[] = {{60},  {60, true, 1},   {60, false, 1}, {240},           {240, true, 1}, {240, false, 1},
                             {720}, {720, false, 1}, {2000},         {2000, false, 1}};
+
+/// Where the first motion without contacts is longer than the shortest way by this factor, these searches follow.
+constexpr double kLong = 1.3;
+constexpr Pass kLastPasses[] = {{60, true, 1, true}};
 
 /// A motion to the goal and the path that belongs to it.
 struct Candidate {
@@ -37,13 +45,19 @@ struct Candidate {
   DrivenMotion motion;
   double cost = 0;
 
+  /// What the contacts of the motion count, by the weights of the paper.
+  double touching() const { return motion.costs.cable_obstacle_steps + 0.5 * motion.costs.cable_robot_steps; }
+  /// Contacts come first.
+  bool IsBetterThan(const Candidate& other) const {
+    return std::pair(touching(), cost) < std::pair(other.touching(), other.cost);
+  }
   int contacts() const { return motion.costs.cable_obstacle_steps + motion.costs.cable_robot_steps; }
 };
 
-/// For a search, which has no stages to tell of.
-KeepGoing KeepGoingOf(const Watcher& watch) {
+/// For a search, which does not tell how far it is.
+KeepGoing KeepGoingOf(const Watcher& watch, double share) {
   if (!watch) return {};
-  return [watch] { return watch("search", -1); };
+  return [watch, share] { return watch("search", share); };
 }
 
 std::string TextOf(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
@@ -98,20 +112,19 @@ class Planning {
       return true;
     }
     if (const Shortened laid = Shorten(space_, laid_); laid.departure) {
-      Refuse("laid_cable_blocked",
-             "the laid cable runs into an obstacle or a wall at " + TextOf(laid.departure->at));
+      Refuse("laid_cable_blocked", "the laid cable runs into an obstacle or a wall at " + TextOf(laid.departure->at));
       return true;
     }
     if (Length(laid_) > length * (1 + kLengthTolerance)) {
-      Refuse("laid_cable_too_long", "the laid cable takes " + Metres(Length(laid_)) + ", and there are " +
-                                        Metres(length) + " of it");
+      Refuse("laid_cable_too_long",
+             "the laid cable takes " + Metres(Length(laid_)) + ", and there are " + Metres(length) + " of it");
       return true;
     }
     guide_.emplace(room_, *goal_, kGuideCell);
     way_ = guide_->ShortestPath(laid_.back());
     if (way_.empty()) {
-      Refuse("goal_unreachable", "no way is wide enough for " + disc + "the robot from " + TextOf(laid_.back()) +
-                                     " to " + TextOf(goal_at));
+      Refuse("goal_unreachable",
+             "no way is wide enough for " + disc + "the robot from " + TextOf(laid_.back()) + " to " + TextOf(goal_at));
       return true;
     }
     return IsTetherTooShort();
@@ -134,11 +147,13 @@ class Planning {
     result_.shortest_m = std::max(0.0, Length(way_) - env.options().goal_radius_m);
     result_.bound =
         result_.shortest_m * (options_.costs.per_metre - env.options().reward.time / (speed * env.options().dt_s));
+    PrepareMargin();
     for (const Pass& pass : kPasses) {
       if (result_.expansions >= options_.budget || IsGoodEnough()) break;
-      if (options_.watch && !options_.watch("search", static_cast<double>(result_.expansions) / options_.budget)) break;
+      if (options_.watch && !options_.watch("search", Share())) break;
       SearchWith(env, pass);
     }
+    if (IsGoodEnough()) ShortenBest(env);
     Choose();
     if (!found_) {
       result_.status = ContactFreeStatus::kBudgetExceeded;
@@ -152,40 +167,42 @@ class Planning {
     result_.tether = Shorten(space_, way).path;
   }
 
+  /// Of the budget that is used up.
+  double Share() const {
+    return std::min(1.0, static_cast<double>(result_.expansions) / static_cast<double>(options_.budget));
+  }
+
   /// A motion of tracking, which touches nothing.
   bool IsGoodEnough() const { return tracked_ && tracked_->contacts() == 0; }
 
   /// The tracked motion, unless driving without a path to track touches less.
   void Choose() {
-    const auto costs_less = [](const Candidate& a, const Candidate& b) {
-      return a.contacts() < b.contacts() && a.cost < b.cost;
-    };
     if (!tracked_ && !direct_) return;
     found_ = true;
-    Candidate& best = tracked_ && !(direct_ && costs_less(*direct_, *tracked_)) ? *tracked_ : *direct_;
+    Candidate& best =
+        tracked_ && !(direct_ && direct_->touching() + kWorthTracking < tracked_->touching()) ? *tracked_ : *direct_;
     result_.path = std::move(best.path);
     result_.motion = std::move(best.motion);
     result_.cost = best.cost;
   }
 
+  /// One more search where the way is long, and a finer look at the best path.
+  void ShortenBest(const TetherEnv& env) {
+    for (const Pass& pass : kLastPasses) {
+      if (tracked_->motion.costs.length_m > kLong * result_.shortest_m) SearchWith(env, pass);
+    }
+    Refine(env, *(wary_ ? &*wary_ : &env), tracked_->path, {0.4, 0.2, 0.1, 0.05}, 2);
+  }
+
   void SearchWith(const TetherEnv& env, const Pass& pass) {
     const double margin_m = pass.keeps_margin ? options_.margin_m : 0;
-    std::optional<ContactMap> wary_map;
-    std::optional<TetherEnv> wary;
-    if (margin_m > 0) {
-      const auto space = BuildFreeSpace(scene_.world, {.clearance = scene_.world.clearance + margin_m});
-      if (!space) return;
-      wary_map.emplace(*space, kMapCell);
-      auto created = TetherEnv::Create(*wary_map, task_, options_.env);
-      // Where the robot stands nearer to an obstacle than the margin, it cannot be kept.
-      if (!created) return;
-      wary = *std::move(created);
-    }
-    const SearchProblem problem{.env = wary ? &*wary : &env,
+    if (margin_m > 0 && !wary_) return;
+    const TetherEnv& driven_in = margin_m > 0 ? *wary_ : env;
+    const SearchProblem problem{.env = &driven_in,
                                 .guide = &*guide_,
                                 .rays = &space_.rays(),
                                 .costs = {options_.costs.per_metre, margin_m > 0 ? options_.costs.cable_margin_m : 0},
-                                .keep_going = KeepGoingOf(options_.watch)};
+                                .keep_going = KeepGoingOf(options_.watch, Share())};
     SearchGrain grain{.width = pass.width, .crowd = pass.headings == 1 ? 12 : 6, .crowd_headings = pass.headings};
     const double primitive_m = grain.primitive_steps * env.options().dt_s * env.options().speed_m_per_s;
     grain.layers = kSpareLayers + static_cast<int>(std::ceil(kDetour * Length(way_) / primitive_m));
@@ -195,29 +212,37 @@ class Planning {
     for (const std::vector<Velocity>& motion : outcome.motions) {
       DrivenMotion driven = DriveMotion(env, motion);
       const Polyline path = driven.Path();
-      const TrackResult track = TrackPath(*problem.env, path);
+      const TrackResult track = TrackPath(driven_in, path);
       if (track.success()) paths.emplace_back(options_.costs.per_metre * track.driven_m - track.reward, path);
       Offer(std::move(driven), path, direct_);
     }
     std::stable_sort(paths.begin(), paths.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     if (paths.size() > kRefined) paths.resize(kRefined);
     for (const auto& [cost, path] : paths) {
-      Refine(env, *problem.env, path);
+      if (pass.is_last) {
+        Refine(env, driven_in, path, {0.4, 0.2, 0.1, 0.05}, 3);
+        continue;
+      }
+      Refine(env, driven_in, path, {0.4, 0.2}, 1);
       if (IsGoodEnough()) return;
     }
   }
 
+  /// The environment with the margin, where the robot does not stand nearer than that to an obstacle.
+  void PrepareMargin() {
+    if (options_.margin_m <= 0) return;
+    const auto space = BuildFreeSpace(scene_.world, {.clearance = scene_.world.clearance + options_.margin_m});
+    if (!space) return;
+    wary_map_.emplace(*space, kMapCell);
+    if (auto created = TetherEnv::Create(*wary_map_, task_, options_.env)) wary_ = *std::move(created);
+  }
+
   /// Bends a path where the margin counts, and offers what comes of it.
-  void Refine(const TetherEnv& env, const TetherEnv& wary, const Polyline& path) {
-    RefinePathOptions how{.per_metre = options_.costs.per_metre, .steps_m = {0.4, 0.2}, .rounds = 1};
-    RefinedPath refined = RefinePath(wary, path, how);
+  void Refine(const TetherEnv& env, const TetherEnv& wary, const Polyline& path, std::vector<double> steps_m,
+              int rounds) {
+    const RefinedPath refined = RefinePath(
+        wary, path, {.per_metre = options_.costs.per_metre, .steps_m = std::move(steps_m), .rounds = rounds});
     if (!std::isfinite(refined.cost)) return;
-    // What touches things even now is not worth more.
-    if (refined.track.cable_obstacle_steps + refined.track.cable_robot_steps == 0) {
-      how.steps_m = {0.3, 0.15, 0.06};
-      how.rounds = 2;
-      refined = RefinePath(wary, refined.path, how);
-    }
     // Where nothing is grown, the robot does not shrink back from the margin.
     const TrackResult track = TrackPath(env, refined.path);
     std::vector<Velocity> commands;
@@ -228,8 +253,9 @@ class Planning {
   /// Keeps the motion if none is better.
   void Offer(DrivenMotion motion, Polyline path, std::optional<Candidate>& best) const {
     const double cost = CostOf(motion.costs, options_.costs);
-    if (!motion.at_goal || (best && cost >= best->cost)) return;
-    best = Candidate{std::move(path), std::move(motion), cost};
+    if (!motion.at_goal) return;
+    Candidate candidate{std::move(path), std::move(motion), cost};
+    if (!best || candidate.IsBetterThan(*best)) best = std::move(candidate);
   }
 
   const Scene& scene_;
@@ -237,8 +263,10 @@ class Planning {
   TetherTask task_;
   Polyline laid_;
   ContactMap map_;
-  TautSpace space_;  ///< For cables.
-  TautSpace room_;   ///< For the robot's centre.
+  TautSpace space_;                     ///< For cables.
+  TautSpace room_;                      ///< For the robot's centre.
+  std::optional<ContactMap> wary_map_;  ///< Grown by the margin.
+  std::optional<TetherEnv> wary_;
   std::optional<Place> goal_;
   std::optional<GoalGuide> guide_;
   Polyline way_;

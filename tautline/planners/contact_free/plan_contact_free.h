@@ -18,10 +18,10 @@ namespace tautline {
 struct ContactFreeOptions {
   /// The robot, the cable, what contacts cost. No noise; the scene's radius replaces this one.
   TetherEnvOptions env = {.max_steps = 5000};
-  SearchCosts costs;                           ///< What else counts.
-  double margin_m = 0.1;                       ///< Kept from obstacles by robot and cable, as far as that goes.
-  std::int64_t budget = 60'000;                ///< States that are expanded at most.
-  Watcher watch = {};                          ///< Told how far the search has come.
+  SearchCosts costs;             ///< What else counts.
+  double margin_m = 0.1;         ///< Kept from obstacles by robot and cable, as far as that goes.
+  std::int64_t budget = 60'000;  ///< States that are expanded at most.
+  Watcher watch = {};            ///< Told how far the search has come.
 };
 
 /// How the planning ended.
@@ -30,20 +30,18 @@ enum class ContactFreeStatus : std::uint8_t { kSolved, kInfeasible, kBudgetExcee
 /// The plan, or why there is none.
 struct ContactFreeResult {
   ContactFreeStatus status = ContactFreeStatus::kInfeasible;  ///< kInfeasible is a proof.
-  std::string reason;       ///< The slug of formats.md, "goal_blocked", ...; empty when solved.
-  std::string explanation;  ///< One sentence with the numbers when there is no plan.
-  TetherEnvOptions env;     ///< The environment that was planned in: the scene's radius, no goal reward.
-  Polyline path;            ///< For the robot to track.
-  DrivenMotion motion;      ///< As the environment drives it, contacts and costs included.
-  double cost = 0;          ///< Of the motion: its penalty and what its length counts.
-  double bound = 0;         ///< No motion to the goal costs less.
-  double shortest_m = 0;    ///< No motion to the goal is shorter, metres.
-  TautPath tether;          ///< The cable at the end pulled taut, base first.
+  std::string reason;           ///< The slug of formats.md, "goal_blocked", ...; empty when solved.
+  std::string explanation;      ///< One sentence with the numbers when there is no plan.
+  TetherEnvOptions env;         ///< The environment that was planned in: the scene's radius, no goal reward.
+  Polyline path;                ///< For the robot to track.
+  DrivenMotion motion;          ///< As the environment drives it, contacts and costs included.
+  double cost = 0;              ///< Of the motion: its penalty and what its length counts.
+  double bound = 0;             ///< No motion to the goal costs less.
+  double shortest_m = 0;        ///< No motion to the goal is shorter, metres.
+  TautPath tether;              ///< The cable at the end pulled taut, base first.
   std::int64_t expansions = 0;  ///< States that were expanded.
   /// No motion has fewer contacts: there is none of either kind.
-  bool contacts_proved() const {
-    return motion.costs.cable_obstacle_steps == 0 && motion.costs.cable_robot_steps == 0;
-  }
+  bool contacts_proved() const { return motion.costs.cable_obstacle_steps == 0 && motion.costs.cable_robot_steps == 0; }
 };
 
 /// Plans on the scene's world, tether and goal. Infeasible: robot or goal have no room, no way leads to the goal, the

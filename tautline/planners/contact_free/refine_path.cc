@@ -42,6 +42,7 @@ class Refining {
     best_.cost = std::numeric_limits<double>::infinity();
     Try(std::move(sparse));
     if (std::isfinite(best_.cost)) Descend();
+    if (std::isfinite(best_.cost) && !TouchesAnything(best_.track)) LeaveOut();
     const int trials = best_.trials;
     if (dense.cost < best_.cost) best_ = dense;
     best_.trials = trials;
@@ -57,6 +58,18 @@ class Refining {
           const double angle = 2 * std::numbers::pi * k / kDirections;
           Shift(i, far_m * Point{std::cos(angle), std::sin(angle)}, 0.5);
         }
+      }
+    }
+  }
+
+  /// Leaves out runs of points, long ones first: loops that the path can do without.
+  void LeaveOut() {
+    for (const std::size_t count : {12, 8, 6, 4, 3}) {
+      for (std::size_t i = 1; i + count < best_.path.size();) {
+        Polyline path = best_.path;
+        const auto from = path.begin() + static_cast<std::ptrdiff_t>(i);
+        path.erase(from, from + static_cast<std::ptrdiff_t>(count));
+        if (!Try(std::move(path))) ++i;
       }
     }
   }

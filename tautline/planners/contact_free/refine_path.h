@@ -11,11 +11,11 @@ namespace tautline {
 
 /// How a path is refined.
 struct RefinePathOptions {
-  double per_metre = 0.2;                            ///< What a metre driven costs, besides minus the rewards.
-  double spacing_m = 0.7;                            ///< Between the points that are moved. Positive.
+  double per_metre = 0.2;                               ///< What a metre driven costs, besides minus the rewards.
+  double spacing_m = 0.7;                               ///< Between the points that are moved. Positive.
   std::vector<double> steps_m = {0.4, 0.2, 0.1, 0.05};  ///< By how much, coarse to fine.
-  int rounds = 3;                                    ///< With each, at most, while there is something to gain.
-  KeepGoing keep_going = {};                         ///< Asked before each trial; at a no the best so far is returned.
+  int rounds = 3;                                       ///< With each, at most, while there is something to gain.
+  KeepGoing keep_going = {};  ///< Asked before each trial; at a no the best so far is returned.
 };
 
 /// A path and what tracking it comes to.
@@ -26,7 +26,7 @@ struct RefinedPath {
   int trials = 0;     ///< Paths that were tracked.
 };
 
-/// Moves the points of a path one after the other, sideways, along and to between their neighbours, and keeps what makes
+/// Leaves out points of a path, moves the others sideways, along and to between their neighbours, and keeps what makes
 /// the tracked robot's cost less: what a bend does to the cable long after it is counted in full. An environment whose
 /// rewards count the goal or the reference would count them. Requires a path of a point or more from where the robot
 /// stands. Deterministic. O(trials * steps of a drive).

@@ -237,7 +237,7 @@ struct SlowEnv {
         step.cable_obstacle = step.cable_obstacle || p.x <= 0 || p.y <= 0 || p.x >= 12 || p.y >= 12;
       }
       // Links longer than the radius: of all nodes, only the base can be too near along the cable.
-      const bool near_tail = i == 0 && chain.paid_out_m() <= kRadius;
+      const bool near_tail = i == 0 && chain.paid_out_m() <= kRadius * (1 + 1e-9);
       step.cable_robot = step.cable_robot || (!near_tail && Distance(x[i], pose.at) <= kRadius);
     }
     step.at_goal = !step.robot_obstacle && Distance(pose.at, task.goal) <= 0.5;
