@@ -137,7 +137,7 @@ class TetherEnv {
     bool base_is_at_a_wall;  ///< Then the cable may touch blocked ground within a robot radius of it.
   };
 
-  TetherEnv(std::shared_ptr<const Setup> setup);
+  explicit TetherEnv(std::shared_ptr<const Setup> setup);
 
   void StartAt(const Pose& pose);
   Point TailAt(const Pose& pose) const;
