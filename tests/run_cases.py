@@ -35,7 +35,7 @@ def ask(program, scene, command):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "scene.json")
         path.write_text(json.dumps(write_grid(scene, folder) if "grid" in scene else scene))
-        words = 2 if command[0] in ("workspace", "fleet") else 1
+        words = 2 if command[0] in ("workspace", "fleet", "learn") else 1
         process = subprocess.run([program, *command[:words], path, *command[words:], "--json"],
                                  capture_output=True, text=True, timeout=TIMEOUT_S)
     try:
@@ -181,6 +181,24 @@ def drive_difference(got, want, tolerance):
     return None
 
 
+def reference_difference(got, want, tolerance):
+    """The first way in which a reference path differs from what is expected, or None. `fits` and `tethers` are those of
+    the classes, `yen` the words that the paper's way finds, `ends` those of the tracked paths."""
+    found = {"status": got["status"], "reason": got.get("reason"), "word": got.get("word"),
+             "fits": [c["fits"] for c in got["classes"]], "yen": [c["word"] for c in got.get("yen", {}).get("classes", [])],
+             "yen_reason": got.get("yen", {}).get("reason"), "ends": [t.get("end") for t in got.get("tracked", [])]}
+    for key in found:
+        if key in want and found[key] != want[key]:
+            return f"{key} {found[key]}, wanted {want[key]}"
+    lengths = {"length": got.get("length"), "tether": got.get("tether", {}).get("length"),
+               "shortest_tether": got.get("shortest_tether", {}).get("length"),
+               "tethers": [c["tether"]["length"] for c in got["classes"]]}
+    for key, value in lengths.items():
+        if key in want and not all_close(value, want[key], tolerance):
+            return f"{key} {value}, wanted {want[key]}"
+    return class_difference(got["classes"], want, tolerance)
+
+
 def difference(got, want, tolerance):
     """The first way in which an answer differs from what is expected, or None."""
     if got["command"] == "fleet plan":
@@ -189,6 +207,8 @@ def difference(got, want, tolerance):
         return workspace_difference(got, want, tolerance)
     if got["command"] == "drive":
         return drive_difference(got, want, tolerance)
+    if got["command"] == "learn reference":
+        return reference_difference(got, want, tolerance)
     if got["command"] == "manifold":
         return manifold_difference(got, want, tolerance)
     if got["command"] == "reach":

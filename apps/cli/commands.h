@@ -20,6 +20,7 @@ Run AddReach(CLI::App& app);
 Run AddManifold(CLI::App& app);
 Run AddDrive(CLI::App& app);
 Run AddFleet(CLI::App& app);
+Run AddLearn(CLI::App& app);
 Run AddWorkspace(CLI::App& app);
 
 }  // namespace tautline::cli

@@ -7,9 +7,10 @@
 namespace tautline::cli {
 namespace {
 
-/// "plan, reach and show". Requires two commands or more.
+/// "plan, reach and show". Requires a command.
 std::string NamesOf(const std::vector<const CLI::App*>& commands) {
   std::string names = commands[0]->get_name();
+  if (commands.size() == 1) return names;
   for (std::size_t i = 1; i + 1 < commands.size(); ++i) names += ", " + commands[i]->get_name();
   return names + " and " + commands.back()->get_name();
 }

@@ -38,6 +38,8 @@ draw fleet_plan.svg fleet plan scenes/fleet.yaml
 "$build/apps/cli/tautline" fleet plan scenes/fleet.yaml --quiet --animate $out/fleet_film.svg
 draw drive.svg drive scenes/cable_hall.yaml
 draw drive_candidates.svg drive scenes/cable_hall.yaml --candidates 4
+draw learn_reference.svg learn reference scenes/store_room.yaml --robot-radius 0.3 --count 6
+draw learn_baselines.svg learn reference scenes/store_room.yaml --robot-radius 0.3 --baselines
 draw engine_taut.svg taut scenes/store_room.yaml
 draw engine_classes.svg classes scenes/store_room.yaml
 draw engine_choice.svg plan scenes/store_room.yaml --all

@@ -102,7 +102,7 @@ class RoadmapBuilder {
   using Edge = Diagram::edge_type;
 
   static Point Of(const Diagram::vertex_type& vertex) { return {vertex.x(), vertex.y()}; }
-  static Point Of(BoostPoint p) { return {static_cast<double>(p.x()), static_cast<double>(p.y())}; }
+  static Point Of(const BoostPoint& p) { return {static_cast<double>(p.x()), static_cast<double>(p.y())}; }
 
   const BoostSegment& SegmentOf(const Diagram::cell_type& cell) const { return input_.segments()[cell.source_index()]; }
 
