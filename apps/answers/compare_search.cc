@@ -221,9 +221,15 @@ Json SearchJson(const CompareQuestion& question) {
 }  // namespace
 
 std::string GroupOf(const std::string& name) {
-  const std::size_t last = name.find_last_not_of("0123456789");
-  if (last == std::string::npos || last + 1 == name.size() || name[last] != '_') return name;
-  return name.substr(0, last);
+  std::string group;
+  for (std::size_t from = 0; from < name.size();) {
+    const std::size_t to = std::min(name.find('_', from), name.size());
+    const std::string part = name.substr(from, to - from);
+    const bool number = part.find_first_not_of("0123456789") == std::string::npos;
+    if (!number || part.empty()) group += (group.empty() ? "" : "_") + part;
+    from = to + 1;
+  }
+  return group.empty() ? name : group;
 }
 
 CompareDone CompareSearch::Run(std::size_t job) const { return {job, CompareWorker(*this, jobs[job]).Run()}; }

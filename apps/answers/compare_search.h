@@ -20,11 +20,11 @@ namespace tautline {
 /// A scene, and which scenes its numbers are averaged with.
 struct ComparedScene {
   std::string name;   ///< Of its file, without folder and ending.
-  std::string group;  ///< The name without its number: "dots_s2" of "dots_s2_3".
+  std::string group;  ///< The name without its number: "dots_deployed" of "dots_3_deployed".
   Scene scene;
 };
 
-/// The group of a name: without a number at its end.
+/// The group of a name: without parts between underscores that are numbers.
 std::string GroupOf(const std::string& name);
 
 /// What is compared.

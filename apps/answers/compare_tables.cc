@@ -26,14 +26,14 @@ constexpr std::array kPublished = {Published{"dots", "dijkstra", -0.5, 7.93, 8.3
                                    Published{"two_bars", "dijkstra", -0.5, 12.0, 15.1, 0, ""},
                                    Published{"two_bars", "voronoi", -0.5, 16.8, 0, 0, ""},
                                    Published{"two_bars", "learned", -0.5, 14.3, 10.6, 0, ""},
-                                   Published{"dots_s2", "dijkstra", -0.5, 13.2, 21.1, 28.4, ""},
-                                   Published{"dots_s2", "voronoi", -0.5, 18.7, 0, 40.8, ""},
-                                   Published{"dots_s2", "learned", -0.5, 17.3, 0.55, 17.6, "5/5"},
-                                   Published{"complex_s2", "dijkstra", -0.5, 11.1, 12.4, 40.6, ""},
-                                   Published{"complex_s2", "voronoi", -0.5, 14.8, 1.52, 62.7, ""},
-                                   Published{"complex_s2", "learned", -0.5, 13.2, 1.60, 37.3, ""},
-                                   Published{"dots_s2", "learned", -1, 15.6, 0, 6.22, "3/5"},
-                                   Published{"dots_s2", "learned", 0, 18.0, 1.04, 44.10, "5/5"}};
+                                   Published{"dots_deployed", "dijkstra", -0.5, 13.2, 21.1, 28.4, ""},
+                                   Published{"dots_deployed", "voronoi", -0.5, 18.7, 0, 40.8, ""},
+                                   Published{"dots_deployed", "learned", -0.5, 17.3, 0.55, 17.6, "5/5"},
+                                   Published{"complex_deployed", "dijkstra", -0.5, 11.1, 12.4, 40.6, ""},
+                                   Published{"complex_deployed", "voronoi", -0.5, 14.8, 1.52, 62.7, ""},
+                                   Published{"complex_deployed", "learned", -0.5, 13.2, 1.60, 37.3, ""},
+                                   Published{"dots_deployed", "learned", -1, 15.6, 0, 6.22, "3/5"},
+                                   Published{"dots_deployed", "learned", 0, 18.0, 1.04, 44.10, "5/5"}};
 
 MeanSpread MeanOf(const std::vector<double>& values) {
   if (values.empty()) return {};

@@ -38,7 +38,7 @@ Json ToJson(const std::vector<CompareCell>& cells);
 
 /// The tables as Markdown: all methods [Table 2], the reward for standing on the cable [Table 3], without the reference
 /// [Sec. 6.3.4], each with the published numbers where the groups are named as the paper's cases: dots, two_bars,
-/// dots_s2, complex_s2. `usual` is the reward for standing on the cable of the first table.
+/// dots_deployed, complex_deployed. `usual` is the reward for standing on the cable of the first table.
 std::string CompareMarkdown(const std::vector<CompareCell>& cells, double usual);
 
 }  // namespace tautline

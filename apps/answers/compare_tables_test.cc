@@ -41,20 +41,21 @@ TEST(CompareTables, AverageOverWhatReachedTheGoal) {
 }
 
 TEST(CompareTables, OtherWaysOfTrainingHaveTablesOfTheirOwn) {
-  ComparedPath harsh = PathOf("dots_s2", "learned", 8, 2, true), blind = harsh;
+  ComparedPath harsh = PathOf("dots_deployed", "learned", 8, 2, true), blind = harsh;
   harsh.cable_robot = -1;
   blind.reference = false;
-  const auto cells = CellsOf(std::vector<ComparedPath>{PathOf("dots_s2", "learned", 9, 1, true), harsh, blind});
+  const auto cells = CellsOf(std::vector<ComparedPath>{PathOf("dots_deployed", "learned", 9, 1, true), harsh, blind});
   ASSERT_EQ(cells.size(), 3);
   const std::string text = CompareMarkdown(cells, -0.5);
   EXPECT_NE(text.find("### The reward for standing on the cable"), std::string::npos);
-  EXPECT_NE(text.find("| dots_s2 | -1.00 | 1/1 |"), std::string::npos) << text;
-  EXPECT_NE(text.find("| dots_s2 | without | 1/1 |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| dots_deployed | -1.00 | 1/1 |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| dots_deployed | without | 1/1 |"), std::string::npos) << text;
 }
 
 TEST(GroupOf, IsTheNameWithoutItsNumber) {
   EXPECT_EQ(GroupOf("dots_3"), "dots");
-  EXPECT_EQ(GroupOf("dots_s2_12"), "dots_s2");
+  EXPECT_EQ(GroupOf("dots_12_deployed"), "dots_deployed");
+  EXPECT_EQ(GroupOf("two_bars_1"), "two_bars");
   EXPECT_EQ(GroupOf("room"), "room");
   EXPECT_EQ(GroupOf("room7"), "room7");
   EXPECT_EQ(GroupOf("7"), "7");

@@ -106,7 +106,7 @@ Expected<int> RunLearnCompare(LearnCompareCommand command) {
   for (const CompareDone& job : *done) paths.insert(paths.end(), job.paths.begin(), job.paths.end());
   const std::vector<CompareCell> cells = CellsOf(paths);
   Json json{{"command", "learn compare"}, {"status", "solved"}, {"cells", ToJson(cells)}};
-  json["jobs"] = ComparePartJson(*search, *std::move(done), true).at("jobs");
+  json["jobs"] = ComparePartJson(*search, *std::move(done), true).at("done");
   return Deliver(command.common, {.json = json,
                                   .text = CompareMarkdown(cells, search->question.learn.env.reward.cable_robot),
                                   .draw = [&] { return Draw(*search, paths); }});
@@ -119,7 +119,7 @@ Run AddLearnCompare(CLI::App& learn) {
   CLI::App* sub = learn.add_subcommand("compare", "all ways to a contact-free path on many scenes, as tables");
   AddCommonOptions(*sub, command->common);
   CompareQuestion& question = command->question;
-  sub->add_option("more", command->more, "more scenes; those that differ in a number at the end are averaged")
+  sub->add_option("more", command->more, "more scenes; those whose names differ in a number are averaged")
       ->type_name("SCENE");
   sub->add_option("--seeds", question.seeds, "trainings for each scene, from --seed on")
       ->check(AtLeastOne())

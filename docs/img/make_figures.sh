@@ -16,7 +16,9 @@ draw() {  # draw FILE COMMAND...: tautline COMMAND with the picture in FILE; exi
 draw willow_demo.png plan scenes/willow_demo.yaml
 draw plan.svg plan scenes/store_room.yaml
 draw plan_crossing_free.svg plan scenes/loop.yaml --crossing-free
-draw contact_free.svg plan scenes/contact_free/complex_3_deployed.yaml --contact-free
+draw contact_free.svg plan scenes/contact_free/complex_4_deployed.yaml --contact-free
+"$build/apps/cli/tautline" plan scenes/contact_free/complex_4_deployed.yaml --contact-free --quiet \
+  --animate $out/contact_free_film.svg
 draw field.svg plan scenes/store_room.yaml --field --resolution 0.35 --field-classes 2
 draw classes.svg classes scenes/tanks.yaml --count 6
 draw reach.svg reach scenes/store_room.yaml --sheets

@@ -55,10 +55,9 @@ TEST(TetherEnv, DrivesStraightToTheGoal) {
 TEST(TetherEnv, LeavesItsBaseInAnyDirectionWithoutStandingOnItsCable) {
   const Room room;
   for (int degrees = 0; degrees < 360; ++degrees) {
-    TetherEnv env = MakeEnv(room, {.laid = {{6.3, 6.1}},
-                                   .heading_rad = degrees * std::numbers::pi / 180,
-                                   .cable_length_m = 9,
-                                   .goal = {10, 10}});
+    TetherEnv env = MakeEnv(
+        room,
+        {.laid = {{6.3, 6.1}}, .heading_rad = degrees * std::numbers::pi / 180, .cable_length_m = 9, .goal = {10, 10}});
     for (int i = 0; i < 10; ++i) EXPECT_FALSE(env.Step(TetherAction::kStraight).cable_robot) << degrees << ", " << i;
   }
 }
