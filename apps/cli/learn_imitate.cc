@@ -66,23 +66,25 @@ struct Drives {
   double PerMinute(int steps) const { return time_s > 0 ? 60 * steps / time_s : 0; }
 };
 
-/// The policy and the first baseline on one course.
+/// The policy, the search that taught it and the first baseline, on one course.
 struct CourseTest {
-  Drives policy, dijkstra;
+  Drives policy, search, dijkstra;
 };
+
+void AddMotion(const DrivenMotion& motion, double dt_s, Drives& drives) {
+  drives.Add(motion.at_goal, motion.costs.steps * dt_s, motion.costs.cable_obstacle_steps,
+             motion.costs.cable_robot_steps);
+}
 
 CourseTest TestOn(const Course& course, const Mlp& network, const Kernels& kernels) {
   CourseTest test;
   const double dt = course.env.options().dt_s;
-  const MotionCosts drive = [&] {
-    const DrivenMotion motion = DriverPolicy(network, kernels).Drive(course.env);
-    test.policy.success = motion.at_goal ? 1 : 0;
-    return motion.costs;
-  }();
-  test.policy.count = 1;
-  test.policy.time_s = drive.steps * dt;
-  test.policy.cable_obstacle = drive.cable_obstacle_steps;
-  test.policy.cable_robot = drive.cable_robot_steps;
+  AddMotion(DriverPolicy(network, kernels).Drive(course.env), dt, test.policy);
+  ContactFreeOptions search;
+  search.env.robot_radius_m = course.env.options().robot_radius_m;
+  search.env.link_length_m = course.env.options().link_length_m;
+  const auto plan = PlanContactFree(course.scene, search);
+  AddMotion(plan ? plan->motion : DrivenMotion(), dt, test.search);
   const auto ground = PrepareRobotGround(course.scene.world, course.env.options().robot_radius_m);
   if (!ground) return test;
   Polyline reference = {course.env.pose().at};
@@ -118,6 +120,7 @@ CourseTest TestUnseen(const LearnImitateCommand& command, const Mlp& network, co
         progress.Tell("unseen maps", static_cast<double>(i + 1) / static_cast<double>(count));
         if (!test) return true;
         all.policy.Add(test->policy);
+        all.search.Add(test->search);
         all.dijkstra.Add(test->dijkstra);
         return ++tested < command.test;
       });
@@ -208,6 +211,7 @@ Expected<int> RunLearnImitate(const LearnImitateCommand& command) {
   progress.Clear();
   nlohmann::ordered_json json{{"command", "learn imitate"}, {"status", "solved"}, {"kernels", kernels->name}};
   json["policy"] = ToJson(test.policy);
+  json["search"] = ToJson(test.search);
   json["dijkstra"] = ToJson(test.dijkstra);
   if (!command.out.empty()) {
     OnnxModel model{*network, {{"kernels", kernels->name}, {"kind", "policy for all maps"}}};
@@ -217,7 +221,7 @@ Expected<int> RunLearnImitate(const LearnImitateCommand& command) {
     if (!written) return tl::unexpected(written.error());
   }
   const std::string text = fmt::format("On {} maps never seen:\n", test.policy.count) + Line("policy", test.policy) +
-                           Line("Homotopic Dijkstra", test.dijkstra);
+                           Line("search", test.search) + Line("Homotopic Dijkstra", test.dijkstra);
   fmt::print("{}", command.json ? json.dump() + "\n" : text);
   return 0;
 }
