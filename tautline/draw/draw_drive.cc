@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "tautline/draw/aligned_keyframes.h"
 #include "tautline/draw/figure.h"
-#include "tautline/draw/fleet_animation.h"
 #include "tautline/draw/length_text.h"
 
 namespace tautline {
