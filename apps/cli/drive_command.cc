@@ -66,8 +66,7 @@ std::string ToText(const TargetTrials& trials) {
 
 std::string ToText(const DriveAnswer& answer) {
   if (answer.trace.empty()) return fmt::format("No drive: {}.\n", answer.explanation);
-  const auto robot = static_cast<std::size_t>(std::count_if(
-      answer.contacts.begin(), answer.contacts.end(), [](const Contact& c) { return c.kind == ContactKind::kRobot; }));
+  const auto robot = answer.json.at("cable_robot_contacts").get<std::size_t>();
   std::string text =
       answer.explanation.empty()
           ? fmt::format("{} visited in {:.1f} s, {} driven.\n",
