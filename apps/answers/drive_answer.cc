@@ -1,8 +1,10 @@
 #include "apps/answers/drive_answer.h"
 
+#include <optional>
 #include <span>
 #include <utility>
 
+#include "apps/answers/manifold_faults.h"
 #include "tautline/scene/check_tether.h"
 #include "tautline/scene/number_text.h"
 
@@ -13,8 +15,8 @@ namespace {
 constexpr double kUsualCell = 0.1;
 /// As many as a cable may have.
 constexpr double kMostLinks = 1e6;
-
-std::string TextOf(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
+/// Steps of the simulation from one cell to the next: with more of them, no drive would come to its end.
+constexpr double kMostStepsPerCell = 1e4;
 
 const char* NameOf(DriveController controller) {
   switch (controller) {
@@ -48,18 +50,26 @@ const char* ReasonOf(DriveFailure failure) {
   return "";
 }
 
+/// Why no way was found that keeps off the cable.
+std::string ExplainNoWay(const std::string& which, const GoalOutcome& goal, const DriveQuestion& question) {
+  if (question.options.controller == DriveController::kBasic) return "the cable holds the robot before " + which;
+  if (question.options.controller == DriveController::kRetract) {
+    return "the cable blocks every way to " + which + ", from the base as well: try --controller extended";
+  }
+  return "the cable blocks every way to " + which + ", and " + std::to_string(goal.trials) +
+         " simulated motions did not clear one" +
+         (question.options.untangle == Untangling::kHeuristic ? ": try --untangle both" : ": raise --search-trials");
+}
+
 std::string Explain(const GoalOutcome& goal, std::size_t number, const DriveQuestion& question) {
-  const std::string which = "goal " + std::to_string(number) + " at " + TextOf(goal.goal);
+  const std::string which = "goal " + std::to_string(number) + " at " + ShortText(goal.goal);
   switch (goal.failure) {
     case DriveFailure::kGoalBlocked:
       return which + " lies outside of the map, or in a cell that an obstacle or a wall reaches into";
     case DriveFailure::kTetherTooShort:
       return "the tether does not reach " + which + " along the cells";
     case DriveFailure::kWayNotFound:
-      return "the cable blocks every way to " + which + ", and " + std::to_string(goal.trials) +
-             " simulated motions did not clear one" +
-             (question.options.untangle == Untangling::kHeuristic ? ": try --untangle both"
-                                                                  : ": raise --search-trials");
+      return ExplainNoWay(which, goal, question);
     case DriveFailure::kNoWay:
       return "the cable blocks every way to " + which + ", and no motion of this resolution" +
              (number == 1 ? "" : " from where the robot then is") + " clears one (" + std::to_string(goal.trials) +
@@ -138,7 +148,7 @@ class Driving {
     if (question_.prevent_deadlocks && options.controller == DriveController::kExtended) {
       if (watch) watch("deadlocks", 0);
       const DeadlockAreas areas(manifold, options.robot.keep_going);
-      answer_.json["deadlock_vertices"] = areas.closed_vertices();
+      closed_vertices_ = areas.closed_vertices();
       options.deadlocks = ClosedBy(manifold, areas);
     }
     const DriveResult result = Drive(manifold, *start, goals, options);
@@ -197,6 +207,7 @@ class Driving {
     json["cable_obstacle_contacts"] = contacts.size() - result.RobotContacts();
     json["resolution"] = manifold.ground().cell_m();
     json["vertices"] = manifold.Count().vertices;
+    if (closed_vertices_) json["deadlock_vertices"] = *closed_vertices_;
     json["goals"] = Json::array();
     for (const GoalOutcome& goal : result.goals) json["goals"].push_back(ToJson(values_, goal));
     json["contacts"] = Json::array();
@@ -215,12 +226,13 @@ class Driving {
   const TautSpace& space_;
   JsonValues values_;
   DriveAnswer& answer_;
+  std::optional<std::int64_t> closed_vertices_;  ///< Where deadlock areas were looked for.
 };
 
 Expected<std::vector<Point>> CheckedGoals(const Scene& scene, const DriveQuestion& question) {
   if (auto tether = RequireTether(scene); !tether) return tl::unexpected(tether.error());
   if (scene.tether->length > kMostLinks * question.options.link_m) {
-    return InvalidInput("links of " + Metres(question.options.link_m) + " are too short: a tether of " +
+    return InvalidInput("links of " + FormatNumber(question.options.link_m) + " m are too short: a tether of " +
                         Metres(scene.tether->length) + " has more than 1000000 of them; give a longer --link");
   }
   std::vector<Point> goals = GoalsOf(scene, question);
@@ -239,6 +251,14 @@ Expected<std::vector<Point>> CheckedGoals(const Scene& scene, const DriveQuestio
   return goals;
 }
 
+Expected<void> CheckSteps(const RobotOptions& robot, double cell_m) {
+  const double stride_m = robot.speed_mps * robot.dt_s;
+  if (cell_m <= kMostStepsPerCell * stride_m) return {};
+  return InvalidInput("steps of " + FormatNumber(robot.dt_s) + " s at " + FormatNumber(robot.speed_mps) +
+                      " m/s are too short: more than " + ShortNumber(kMostStepsPerCell) + " of them for a cell of " +
+                      Metres(cell_m) + "; give a longer --dt or a higher --speed");
+}
+
 }  // namespace
 
 Expected<DriveAnswer> AnswerDrive(const Scene& scene, const DriveQuestion& question) {
@@ -249,6 +269,9 @@ Expected<DriveAnswer> AnswerDrive(const Scene& scene, const DriveQuestion& quest
   if (!cells.resolution_m && !scene.world.cells) cells.resolution_m = kUsualCell;
   auto ground = MakeCellGround(scene.world, cells);
   if (!ground) return tl::unexpected(ground.error());
+  if (auto checked = CheckSteps(question.options.robot, ground->cell_m()); !checked) {
+    return tl::unexpected(checked.error());
+  }
   auto free_space = BuildFreeSpace(scene.world);
   if (!free_space) return tl::unexpected(free_space.error());
   if (question.watch) question.watch("free space", 0);
@@ -257,26 +280,19 @@ Expected<DriveAnswer> AnswerDrive(const Scene& scene, const DriveQuestion& quest
   answer.json["command"] = "drive";
   Driving driving(scene, question, space, answer);
   const Tether& tether = *scene.tether;
-  const auto base = ground->CellAt(tether.base);
-  if (!base || !ground->IsFree(*base)) {
-    driving.Refuse("infeasible", "start_blocked",
-                   "the base " + TextOf(tether.base) +
-                       " lies outside of the map, or in a cell that an obstacle or a wall reaches into");
+  if (const std::string fault = BaseFault(*ground, tether.base); !fault.empty()) {
+    driving.Refuse("infeasible", "start_blocked", fault);
     return answer;
   }
   if (question.watch) question.watch("manifold", 0);
-  const double length_m = LengthFromCell(*ground, tether);
-  const GridManifold manifold = GridManifold::Build(
-      *std::move(ground), {.base = *base,
-                           .length_m = length_m,
-                           .connectivity = question.connectivity == 4 ? Connectivity::kFour : Connectivity::kEight,
-                           .max_vertices = question.max_vertices,
-                           .max_bytes = question.max_bytes});
-  if (manifold.stop() != ManifoldStop::kNone) {
-    driving.Refuse("budget_exceeded", "budget_exceeded",
-                   "the manifold has more than " + std::to_string(question.max_vertices) + " vertices or takes " +
-                       std::to_string(question.max_bytes) +
-                       " bytes: raise --max-nodes or --max-bytes, shorten the tether or give a larger --resolution");
+  const ManifoldOptions options{.base = *ground->CellAt(tether.base),
+                                .length_m = LengthFromCell(*ground, tether),
+                                .connectivity = question.connectivity == 4 ? Connectivity::kFour : Connectivity::kEight,
+                                .max_vertices = question.max_vertices,
+                                .max_bytes = question.max_bytes};
+  const GridManifold manifold = GridManifold::Build(*std::move(ground), options);
+  if (const StopText stop = ExplainStop(manifold, options); !stop.what.empty()) {
+    driving.Refuse("budget_exceeded", "budget_exceeded", stop.what + ": " + stop.mend);
     return answer;
   }
   driving.Run(manifold, *goals);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "apps/answers/deadlock_json.h"
+#include "apps/answers/manifold_faults.h"
 #include "tautline/planners/grid_manifold/literal_manifold.h"
 #include "tautline/planners/grid_manifold/manifold_file.h"
 #include "tautline/scene/check_tether.h"
@@ -25,38 +26,16 @@ Json ToJson(const Ring& ring) {
   return json;
 }
 
-std::string TextOf(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
-
-/// Why the base is no vertex; empty when it is one.
-std::string BaseFault(const CellGround& ground, Point base) {
-  const auto cell = ground.CellAt(base);
-  if (!cell) return "the base " + TextOf(base) + " lies outside of the map";
-  if (ground.IsFree(*cell)) return "";
-  return "the base " + TextOf(base) + " lies in the cell about " + TextOf(ground.CentreOf(*cell)) +
-         ", which an obstacle or a wall reaches into";
-}
-
-std::string StopText(const GridManifold& manifold, const ManifoldQuestion& question) {
+/// Why the manifold is not complete and what the answer then holds; empty when it is.
+std::string StopSentence(const GridManifold& manifold, const ManifoldOptions& options, bool prepared) {
+  const StopText stop = ExplainStop(manifold, options);
+  if (stop.what.empty()) return "";
   const std::string upto =
       "; the answer holds every vertex nearer than " +
-      Metres(CellsOf(manifold.complete_up_to() / kStraightStep * kStraightStep) * manifold.ground().cell_m());
-  switch (manifold.stop()) {
-    case ManifoldStop::kNone:
-      return "";
-    case ManifoldStop::kVertices:
-      return "the manifold has more than " + std::to_string(question.max_vertices) + " vertices" + upto +
-             ": raise --max-nodes, shorten the tether or give a larger --resolution";
-    case ManifoldStop::kBytes:
-      return "the manifold takes more than " + std::to_string(question.max_bytes) + " bytes" + upto +
-             ": raise --max-bytes, shorten the tether or give a larger --resolution";
-    case ManifoldStop::kAsked:
-      return "the search was stopped" + upto;
-    case ManifoldStop::kDistance:
-      return "the tether is longer than " + ShortNumber(kFarthestCells) +
-             " cells, the most that distances are told apart for; the answer holds every vertex up to there: give a "
-             "larger --resolution";
-  }
-  return "";
+      Metres(CellsOf(manifold.complete_up_to() / kStraightStep * kStraightStep) * manifold.ground().cell_m()) + ": ";
+  // The budget that it stopped at is not kept with it.
+  if (prepared) return "the prepared manifold was stopped before its end" + upto + "make it anew with a larger budget";
+  return stop.what + upto + stop.mend;
 }
 
 void AddGround(const CellGround& ground, Json& json) {
@@ -155,7 +134,7 @@ Expected<void> AddManifold(const Scene& scene, const ManifoldQuestion& question,
   if (question.watch) question.watch("manifold", 0);
   auto manifold = Obtain(scene, question, std::move(ground), options);
   if (!manifold) return tl::unexpected(manifold.error());
-  answer.explanation = StopText(*manifold, question);
+  answer.explanation = StopSentence(*manifold, options, question.prepared.has_value());
   SetStatus(answer.explanation.empty() ? "solved" : "budget_exceeded", "budget_exceeded", answer);
   AddGround(manifold->ground(), answer.json);
   answer.json["connectivity"] = options.connectivity == Connectivity::kEight ? 8 : 4;

@@ -18,7 +18,7 @@
 namespace tautline::cli {
 namespace {
 
-/// Goals listed in the text; JSON has all.
+/// Goals, and candidates, listed in the text; JSON has all.
 constexpr std::size_t kMostListed = 20;
 
 struct DriveCommand {
@@ -48,7 +48,7 @@ std::string ToText(const GoalOutcome& goal, std::size_t number) {
 std::string ToText(const TargetTrials& trials) {
   std::string text =
       fmt::format("Candidates on the way to {}{}:\n", ToText(trials.goal), trials.open ? ", which is open" : "");
-  for (std::size_t i = 0; i < trials.targets.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(kMostListed, trials.targets.size()); ++i) {
     const TriedTarget& target = trials.targets[i];
     text +=
         fmt::format("  {:3}  {:<14} score {:>7}, {}{}\n", i + 1,
@@ -58,16 +58,19 @@ std::string ToText(const TargetTrials& trials) {
                                      : fmt::format("leaves {} vertices", target.region.size()),
                     trials.chosen == i ? ", chosen" : "");
   }
+  if (trials.targets.size() > kMostListed) {
+    text += fmt::format("  ... and {} more\n", trials.targets.size() - kMostListed);
+  }
   return text;
 }
 
 std::string ToText(const DriveAnswer& answer) {
   if (answer.trace.empty()) return fmt::format("No drive: {}.\n", answer.explanation);
-  const auto robot = static_cast<std::size_t>(std::count_if(
-      answer.contacts.begin(), answer.contacts.end(), [](const Contact& c) { return c.kind == ContactKind::kRobot; }));
+  const auto robot = answer.json.at("cable_robot_contacts").get<std::size_t>();
   std::string text =
       answer.explanation.empty()
-          ? fmt::format("All {} visited in {:.1f} s, {} driven.\n", Counted(answer.goals.size(), "goal", "goals"),
+          ? fmt::format("{} visited in {:.1f} s, {} driven.\n",
+                        answer.goals.size() == 1 ? "The goal was" : fmt::format("All {} goals", answer.goals.size()),
                         answer.time_s, Metres(answer.driven_m))
           : fmt::format("Stopped after {:.1f} s: {}.\n", answer.time_s, answer.explanation);
   text += fmt::format("  the robot drove over its cable {}; obstacles caught it {}\n", Counted(robot, "time", "times"),
@@ -163,7 +166,7 @@ void AddWayOptions(CLI::App& sub, DriveCommand& command) {
       ->check(AtLeastOne())
       ->capture_default_str();
   sub.add_flag("--keep-retreat", options.keep_retreat,
-               "refuses motions after which the robot could not drive back to its base");
+               "prefers motions after which the robot could drive back to its base");
 }
 
 }  // namespace
@@ -181,7 +184,7 @@ Run AddDrive(CLI::App& app) {
       ->type_name("METRES")
       ->check(Positive());
   sub->add_option("--connectivity", command->question.connectivity, "steps to 4 or 8 cells")
-      ->check(CLI::IsMember({4, 8}))
+      ->check(FourOrEight())
       ->capture_default_str();
   AddRobotOptions(*sub, *command);
   sub->add_option("--max-nodes", command->question.max_vertices, "vertices of the manifold after which to stop")

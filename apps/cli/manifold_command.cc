@@ -69,8 +69,10 @@ std::string ToText(const World& world, const ManifoldAnswer& answer) {
   std::string text = fmt::format("A manifold of {} vertices and {} edges over {} of {} free cells of {}.\n",
                                  counts.vertices, counts.edges, cells, answer.json.at("free_cells").get<std::int64_t>(),
                                  Metres(answer.json.at("resolution").get<double>()));
-  text += fmt::format("  a cell   carries up to {} vertices, {:.4g} on average\n", counts.multiplicity.size(),
-                      static_cast<double>(counts.vertices) / static_cast<double>(cells));
+  if (cells > 0) {
+    text += fmt::format("  a cell   carries up to {} vertices, {:.4g} on average\n", counts.multiplicity.size(),
+                        static_cast<double>(counts.vertices) / static_cast<double>(cells));
+  }
   text += fmt::format("  farthest {} from the base\n", Metres(answer.json.at("max_distance").get<double>()));
   if (answer.manifold && !answer.sheets.empty()) text += DescribeSheets(answer);
   if (answer.json.contains("field")) {
@@ -146,7 +148,7 @@ Run AddManifold(CLI::App& app) {
       ->type_name("METRES")
       ->check(Positive());
   sub->add_option("--connectivity", command->connectivity, "steps to 4 or 8 cells; default 8, with --literal 4")
-      ->check(CLI::IsMember({4, 8}));
+      ->check(FourOrEight());
   sub->add_flag("--literal", command->question.literal, "the construction as it is printed, for comparison");
   sub->add_flag("--sheets", command->question.sheets, "also word by word, with boundaries");
   sub->add_flag("--field", command->question.field, "also the distance and the next heading to the goal");

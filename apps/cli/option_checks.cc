@@ -33,6 +33,14 @@ CLI::Validator AtLeastOne() {
   return CLI::Validator(check, "");
 }
 
+CLI::Validator FourOrEight() {
+  const auto check = [](const std::string& text) -> std::string {
+    return text == "4" || text == "8" ? "" : "'" + text + "' is neither 4 nor 8";
+  };
+  // Completions read the choices from here.
+  return CLI::Validator(check, "{4,8}");
+}
+
 CLI::Validator FileName() {
   const auto check = [](const std::string& text) -> std::string {
     if (text.empty()) return "the name of the file is empty";

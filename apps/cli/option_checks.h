@@ -15,6 +15,9 @@ CLI::Validator AtLeastOne();
 /// A finite number larger than 0.
 CLI::Validator Positive();
 
+/// The number 4 or 8: to how many neighbours a cell has steps.
+CLI::Validator FourOrEight();
+
 /// A FileName, or `-` for standard input.
 CLI::Validator InputName();
 

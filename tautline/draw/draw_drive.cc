@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tautline/draw/aligned_keyframes.h"
 #include "tautline/draw/figure.h"
 #include "tautline/draw/length_text.h"
 #include "tautline/draw/moving_robot.h"
@@ -18,11 +19,15 @@ std::size_t CountContacts(const DrivePicture& picture, ContactKind kind) {
 
 std::string TimesText(std::size_t count) { return std::to_string(count) + (count == 1 ? " time" : " times"); }
 
+std::size_t CountVisited(const DrivePicture& picture) {
+  return static_cast<std::size_t>(
+      std::count_if(picture.goals.begin(), picture.goals.end(),
+                    [](const GoalOutcome& goal) { return goal.failure == DriveFailure::kNone; }));
+}
+
 std::string TitleOf(const DrivePicture& picture) {
   if (picture.frames.empty()) return "No drive";
-  const auto visited = std::count_if(picture.goals.begin(), picture.goals.end(),
-                                     [](const GoalOutcome& goal) { return goal.failure == DriveFailure::kNone; });
-  return std::to_string(visited) + " of " + std::to_string(picture.goals.size()) +
+  return std::to_string(CountVisited(picture)) + " of " + std::to_string(picture.goals.size()) +
          (picture.goals.size() == 1 ? " goal" : " goals") + " visited in " + FixedText(picture.frames.back().t_s, 1) +
          " s";
 }
@@ -36,6 +41,7 @@ FigureContent ContentOf(const DrivePicture& picture, bool film) {
       {kLaidCableLine, film ? "the cable" : "the cable in the end"},
       {Marker::kRing, "the robot drove over its cable " + TimesText(CountContacts(picture, ContactKind::kRobot))},
       {Marker::kCrossing, "an obstacle caught the cable " + TimesText(CountContacts(picture, ContactKind::kObstacle))}};
+  if (CountVisited(picture) < picture.goals.size()) content.legend.push_back({Marker::kBlocked, "goal not visited"});
   return content;
 }
 

@@ -51,6 +51,14 @@ TEST(DrawDrive, ShowsWayCableAndContacts) {
   EXPECT_EQ(svg, DrawDrive(e.hall.scene, picture));
 }
 
+TEST(DrawDrive, ExplainsTheSignOfGoalsThatWereNotVisited) {
+  const Example e;
+  DrivePicture picture = e.Picture();
+  EXPECT_THAT(DrawDrive(e.hall.scene, picture), Not(HasSubstr("goal not visited")));
+  picture.goals[3].failure = DriveFailure::kWayNotFound;
+  EXPECT_THAT(DrawDrive(e.hall.scene, picture), AllOf(HasSubstr("3 of 4 goals"), HasSubstr("goal not visited")));
+}
+
 TEST(DrawDrive, SaysWhyThereIsNone) {
   const Example e;
   const DrivePicture picture{.frames = {}, .contacts = {}, .goals = {}, .explanation = "The base is blocked."};
@@ -83,6 +91,17 @@ TEST(DrawUntangling, ShowsCandidatesWithTheirScores) {
   EXPECT_EQ(XmlCheck(svg).error(), "");
   EXPECT_THAT(XmlCheck(svg).classes(), IsSupersetOf({"region", "trials", "after", "chosen", "cable", "markers"}));
   EXPECT_THAT(svg, AllOf(HasSubstr("Driving to 1 clears the way"), HasSubstr("1: 1.05 m"), Not(HasSubstr("nan"))));
+}
+
+TEST(DrawUntangling, NumbersTheFirstDozen) {
+  const Example e;
+  TargetTrials trials = TryTargets(*e.hall.manifold, e.start, e.goals[0], e.options);
+  ASSERT_FALSE(trials.targets.empty());
+  trials.targets.resize(1);
+  trials.targets.resize(20, trials.targets[0]);
+  trials.chosen = 14;
+  const std::string svg = DrawUntangling(e.hall.scene, e.hall.ground().grid(), trials);
+  EXPECT_THAT(svg, AllOf(HasSubstr("Of the other 8"), HasSubstr(">12: "), HasSubstr(">15: "), Not(HasSubstr(">13: "))));
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tautline/draw/aligned_keyframes.h"
 #include "tautline/draw/example_fleet.h"
-#include "tautline/draw/fleet_animation.h"
 #include "tautline/draw/fleet_graphs.h"
 #include "tautline/draw/xml_check.h"
 

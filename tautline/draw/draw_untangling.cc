@@ -1,5 +1,7 @@
 #include "tautline/draw/draw_untangling.h"
 
+#include <algorithm>
+
 #include "tautline/draw/cell_shapes.h"
 #include "tautline/draw/figure.h"
 #include "tautline/draw/length_text.h"
@@ -7,6 +9,8 @@
 namespace tautline {
 namespace {
 
+/// Candidates with a number and what comes of them, those with the largest scores; more only cover each other.
+constexpr std::size_t kMostNumbered = 12;
 constexpr char kRegionColour[] = "#cfe3f5";
 const LineStyle kCableNowLine = {.colour = "#8f6400", .width = 2.6};
 const LineStyle kTrialLine = {.colour = "#8a94a0", .width = 1, .dashes = "4 3"};
@@ -18,7 +22,7 @@ std::string CellsText(std::size_t cells) { return std::to_string(cells) + (cells
 /// "Driving to 1 clears the way, to 2 leaves 95 vertices, to 3 ...".
 std::string OutcomesText(const TargetTrials& trials) {
   std::string text = "Driving to";
-  for (std::size_t i = 0; i < trials.targets.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(kMostNumbered, trials.targets.size()); ++i) {
     const TriedTarget& target = trials.targets[i];
     text += (i == 0 ? " " : ", to ") + std::to_string(i + 1) +
             (target.clears    ? " clears the way"
@@ -42,6 +46,10 @@ FigureContent ContentOf(const TargetTrials& trials) {
   FigureContent content{.title = TitleOf(trials)};
   content.notes.emplace_back("Their scores: the lesser of the ways to the robot and to the centre of its ground.");
   if (!trials.targets.empty()) content.notes.push_back(OutcomesText(trials));
+  if (trials.targets.size() > kMostNumbered) {
+    content.notes.push_back("Of the other " + std::to_string(trials.targets.size() - kMostNumbered) +
+                            ", which score less, the places are shown.");
+  }
   content.legend = {{GroundSwatch{.fill = kRegionColour}, "where the robot can go: " + CellsText(trials.region.size())},
                     {kCableNowLine, "the cable"},
                     {kTrialLine, "the cable after each trial"}};
@@ -74,8 +82,9 @@ std::string DrawUntangling(const Scene& scene, const OccupancyGrid& grid, const 
   }
   figure.Line("cable", trials.cable, kCableNowLine);
   for (std::size_t i = 0; i < trials.targets.size(); ++i) {
+    const bool numbered = i < kMostNumbered || trials.chosen == i;
     figure.Mark(trials.chosen == i ? Marker::kStar : Marker::kPoint, trials.targets[i].at,
-                std::to_string(i + 1) + ": " + FixedText(trials.targets[i].score_m, 2) + " m");
+                numbered ? std::to_string(i + 1) + ": " + FixedText(trials.targets[i].score_m, 2) + " m" : "");
   }
   figure.Mark(Marker::kBase, scene.tether->base, "base");
   figure.Mark(Marker::kRobot, trials.robot, "robot");

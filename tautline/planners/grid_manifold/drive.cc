@@ -5,6 +5,7 @@
 #include "tautline/planners/grid_manifold/goal_sequence.h"
 
 namespace tautline {
+
 bool DriveResult::Succeeded() const {
   return std::all_of(goals.begin(), goals.end(),
                      [](const GoalOutcome& goal) { return goal.failure == DriveFailure::kNone; });

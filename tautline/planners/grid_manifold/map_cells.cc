@@ -115,7 +115,7 @@ Expected<OccupancyGrid> Lattice(const World& world, const FreeSpace& space, cons
   const double columns = count(size.x), rows = count(size.y);
   if (!(columns * rows <= static_cast<double>(kMostGroundCells))) {
     return tl::unexpected<Error>({ErrorCode::kLimitExceeded,
-                                  "cells of " + ShortNumber(grid.cell_m) + " m make " + ShortNumber(columns) + " x " +
+                                  "cells of " + FormatNumber(grid.cell_m) + " m make " + ShortNumber(columns) + " x " +
                                       ShortNumber(rows) + " of them, more than 400 million: give a larger --resolution",
                                   ""});
   }

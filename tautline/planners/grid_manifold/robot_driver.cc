@@ -55,9 +55,10 @@ OpenGround RobotDriver::Look(const DriveState& state) {
 }
 
 /// Straight to a point at the robot's speed; false where the cable or the ground refuses.
-bool RobotDriver::Advance(Point to, Cable& cable, const OnTick& on_tick) const {
+bool RobotDriver::Advance(Point to, Cable& cable, const OnTick& on_tick) {
   const double stride = options_.speed_mps * options_.dt_s;
   while (cable.robot() != to) {
+    stop_.Step();
     const double rest = Distance(cable.robot(), to);
     // A rest of a thousandth of a stride is rounding, not a step of its own.
     const bool last = rest <= 1.001 * stride;
@@ -71,7 +72,6 @@ bool RobotDriver::Advance(Point to, Cable& cable, const OnTick& on_tick) const {
 }
 
 void RobotDriver::StepTo(ManifoldVertex to, DriveState& state, const OnTick& on_tick) {
-  stop_.Step();
   state.way.push_back(to);
   if (Advance(manifold_.ground().CentreOf(manifold_.CellOf(to)), state.cable, on_tick)) {
     state.at = to;

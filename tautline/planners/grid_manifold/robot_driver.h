@@ -91,7 +91,7 @@ class RobotDriver {
 
  private:
   bool IsTimeUp(const DriveState& state);
-  bool Advance(Point to, Cable& cable, const OnTick& on_tick) const;
+  bool Advance(Point to, Cable& cable, const OnTick& on_tick);
 
   const GridManifold& manifold_;
   RobotOptions options_;

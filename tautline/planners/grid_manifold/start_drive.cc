@@ -8,8 +8,6 @@
 namespace tautline {
 namespace {
 
-std::string TextOf(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
-
 tl::unexpected<StartRefusal> Refuse(std::string reason, std::string explanation) {
   return tl::unexpected(StartRefusal{std::move(reason), std::move(explanation)});
 }
@@ -42,12 +40,12 @@ Word WordAlong(const CellGround& ground, std::span<const Point> line) {
 /// The cable as it lies before the robot moves.
 tl::expected<Cable, StartRefusal> LayCable(const TautSpace& space, const Tether& tether, const CableOptions& options) {
   if (!space.Locate(tether.base)) {
-    return Refuse("start_blocked", "the base " + TextOf(tether.base) + " lies on blocked ground");
+    return Refuse("start_blocked", "the base " + ShortText(tether.base) + " lies on blocked ground");
   }
   if (!tether.laid) return Cable::Create(space, tether.base, options).value();
   std::optional<Walk> walk;
   if (const auto departure = space.Follow(*tether.laid, walk)) {
-    return Refuse("laid_cable_blocked", "the laid cable leaves the free ground at " + TextOf(departure->at));
+    return Refuse("laid_cable_blocked", "the laid cable leaves the free ground at " + ShortText(departure->at));
   }
   auto cable = Cable::Lay(space, *tether.laid, options);
   if (cable) return *std::move(cable);
@@ -68,7 +66,7 @@ tl::expected<DriveState, StartRefusal> StartDrive(const GridManifold& manifold, 
   if (const auto base = ground.CellAt(tether.base);
       base && tether.length <= (tether.laid ? 0 : Distance(tether.base, ground.CentreOf(*base)))) {
     return Refuse("tether_too_short", "the tether of " + Metres(tether.length) +
-                                          " does not let the robot out of its base at " + TextOf(tether.base) +
+                                          " does not let the robot out of its base at " + ShortText(tether.base) +
                                           " to the middle of the cell there");
   }
   auto cable = LayCable(space, tether,
@@ -80,7 +78,7 @@ tl::expected<DriveState, StartRefusal> StartDrive(const GridManifold& manifold, 
   const Point robot = cable->robot();
   const auto cell = ground.CellAt(robot);
   if (!cell || !ground.IsFree(*cell)) {
-    return Refuse("start_blocked", "the robot at " + TextOf(robot) +
+    return Refuse("start_blocked", "the robot at " + ShortText(robot) +
                                        " stands in a cell that an obstacle or a wall reaches into: give a smaller "
                                        "--resolution, or lay the cable to another place");
   }
@@ -90,7 +88,7 @@ tl::expected<DriveState, StartRefusal> StartDrive(const GridManifold& manifold, 
   const double speed = options.robot.speed_mps;
   if (!vertex || cable->Step(centre, Distance(robot, centre) / speed).outcome != StepOutcome::kMoved) {
     return Refuse("laid_cable_too_long", "in the class of the laid cable, the tether of " + Metres(tether.length) +
-                                             " does not reach the cell of the robot at " + TextOf(robot) +
+                                             " does not reach the cell of the robot at " + ShortText(robot) +
                                              " along the cells");
   }
   return DriveState{.cable = *std::move(cable), .at = *vertex, .way = {}};

@@ -3,11 +3,6 @@
 #include "tautline/scene/number_text.h"
 
 namespace tautline {
-namespace {
-
-std::string At(Point p) { return "(" + ShortNumber(p.x) + ", " + ShortNumber(p.y) + ")"; }
-
-}  // namespace
 
 std::string ToString(PlanObstruction obstruction) {
   switch (obstruction) {
@@ -32,16 +27,17 @@ std::string ToString(PlanObstruction obstruction) {
 }
 
 std::string ExplainBlocked(const TautSpace& space, const std::string& what, Point at) {
-  return what + " " + At(at) + " lies " + BlockedText(space.free_space());
+  return what + " " + ShortText(at) + " lies " + BlockedText(space.free_space());
 }
 
 std::string ExplainLaidCable(const TautSpace& space, PlanObstruction obstruction, Point at) {
   if (obstruction == PlanObstruction::kStartBlocked) return ExplainBlocked(space, "the robot", at);
-  return "the cable as laid leaves the free ground at " + At(at) + ": that place is " + BlockedText(space.free_space());
+  return "the cable as laid leaves the free ground at " + ShortText(at) + ": that place is " +
+         BlockedText(space.free_space());
 }
 
 std::string ExplainApart(const std::string& what, Point at, const std::string& other) {
-  return what + " " + At(at) + " and " + other + " are in parts of the free ground that are not connected";
+  return what + " " + ShortText(at) + " and " + other + " are in parts of the free ground that are not connected";
 }
 
 std::string ExplainLaidTooLong(double taut_length, double limit) {
@@ -56,7 +52,7 @@ std::string ExplainTooShort(const TautSpace& space, const TautPath& shortest, do
 }
 
 std::string ExplainMustCross(Point at) {
-  return "the cable as laid, pulled taut, already crosses itself at " + At(at) +
+  return "the cable as laid, pulled taut, already crosses itself at " + ShortText(at) +
          ", and no motion starts there without a crossing";
 }
 
@@ -68,7 +64,7 @@ std::string ExplainBudget(std::int64_t budget) {
 std::string ExplainStopped() { return "the search was stopped by its caller with the question still open"; }
 
 std::string ExplainOutOfReach(Point at, double shortest, double limit) {
-  return "the point " + At(at) + " needs a tether of " + Metres(shortest) + ", " + Metres(shortest - limit) +
+  return "the point " + ShortText(at) + " needs a tether of " + Metres(shortest) + ", " + Metres(shortest - limit) +
          " more than there is";
 }
 

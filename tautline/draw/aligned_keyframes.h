@@ -1,6 +1,6 @@
 // The cables of a film as lines that a viewer can move: every keyframe of a cable with the same number of points.
-#ifndef TAUTLINE_DRAW_FLEET_ANIMATION_H_
-#define TAUTLINE_DRAW_FLEET_ANIMATION_H_
+#ifndef TAUTLINE_DRAW_ALIGNED_KEYFRAMES_H_
+#define TAUTLINE_DRAW_ALIGNED_KEYFRAMES_H_
 
 #include <span>
 #include <vector>
@@ -15,4 +15,4 @@ std::vector<Polyline> AlignedKeyframes(std::span<const Polyline> lines);
 
 }  // namespace tautline
 
-#endif  // TAUTLINE_DRAW_FLEET_ANIMATION_H_
+#endif  // TAUTLINE_DRAW_ALIGNED_KEYFRAMES_H_
