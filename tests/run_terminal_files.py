@@ -33,6 +33,7 @@ compadd() {
 probe() { zle complete-word; BUFFER=; : > OUT.done; }
 zle -N probe; bindkey '^I' probe; : > OUT.done
 """
+WITHOUT_SCENE = {("learn", "imitate")}  # Draws its own.
 
 
 def run(command, **options):
@@ -127,6 +128,8 @@ def check_shell(shell, commands):
         below = {w[len(words)] for w in commands if len(w) == len(words) + 1 and w[:len(words)] == words}
         if below:
             expect([*words, ""], below, {"room.yaml"})
+        elif tuple(words) in WITHOUT_SCENE:
+            expect([*words, ""], options, {"room.yaml"})
         else:
             expect([*words, ""], {"room.yaml", "room.json"}, {"notes.txt", *options})
         expect([*words, "-"], options)

@@ -222,7 +222,7 @@ Expected<int> RunLearnImitate(const LearnImitateCommand& command) {
   }
   const std::string text = fmt::format("On {} maps never seen:\n", test.policy.count) + Line("policy", test.policy) +
                            Line("search", test.search) + Line("Homotopic Dijkstra", test.dijkstra);
-  fmt::print("{}", command.json ? json.dump() + "\n" : text);
+  if (command.json || !command.quiet) fmt::print("{}", command.json ? json.dump() + "\n" : text);
   return 0;
 }
 

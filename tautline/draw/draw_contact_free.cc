@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tautline/draw/figure.h"
-#include "tautline/draw/fleet_animation.h"
+#include "tautline/draw/aligned_keyframes.h"
 #include "tautline/draw/length_text.h"
 
 namespace tautline {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "tautline/draw/fleet_animation.h"
+#include "tautline/draw/aligned_keyframes.h"
 
 namespace tautline {
 namespace {

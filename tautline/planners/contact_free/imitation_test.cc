@@ -112,7 +112,7 @@ TEST(Imitate, LearnsWhatItSeesToTheSameBytes) {
       }};
   const Mlp network = Imitate(lessons, options, PortableKernels());
   ASSERT_EQ(losses.size(), 20);
-  EXPECT_LT(losses.back(), 0.1 * losses.front());
+  EXPECT_LT(losses.back(), 0.5 * losses.front());
   const Mlp again = Imitate(lessons, options, PortableKernels());
   EXPECT_TRUE(std::equal(network.parameters().begin(), network.parameters().end(), again.parameters().begin()));
 }
