@@ -1,6 +1,7 @@
 #include "apps/answers/compare_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -47,6 +48,23 @@ std::vector<CompareJob> JobsOf(const CompareQuestion& question) {
     }
   }
   return jobs;
+}
+
+/// The path for files and pictures: whole millimetres, without points that are within kDrawn of what is left.
+Polyline ForDrawing(const Polyline& path) {
+  constexpr double kDrawn = 0.01;
+  Polyline kept;
+  for (std::size_t i = 0; i < path.size();) {
+    kept.push_back({std::round(1000 * path[i].x) / 1000, std::round(1000 * path[i].y) / 1000});
+    std::size_t next = i + 1;
+    const auto is_near = [&](std::size_t end) {
+      return std::all_of(path.begin() + static_cast<std::ptrdiff_t>(i), path.begin() + static_cast<std::ptrdiff_t>(end),
+                         [&](Point p) { return DistanceToSegment(p, path[i], path[end]) <= kDrawn; });
+    };
+    while (next + 1 < path.size() && is_near(next + 1)) ++next;
+    i = next;
+  }
+  return kept;
 }
 
 /// One job at work.
@@ -129,11 +147,12 @@ class CompareWorker {
     Add("general", motion.at_goal, motion.Path());
   }
 
-  void Add(const std::string& method, bool found, Polyline path) {
+  void Add(const std::string& method, bool found, const Polyline& path) {
     ComparedPath row{.scene = scene_.name,
                      .group = scene_.group,
                      .method = method,
                      .seed = job_.seed,
+                     .kernels = method == "learned" ? question_.kernels->name : "portable",
                      .cable_robot = options_.reward.cable_robot,
                      .reference = job_.reference,
                      .found = found,
@@ -146,7 +165,7 @@ class CompareWorker {
       row.cable_obstacle = track.cable_obstacle_steps;
       row.cable_robot_steps = track.cable_robot_steps;
     }
-    row.path = std::move(path);
+    row.path = ForDrawing(path);
     paths_.push_back(std::move(row));
   }
 
@@ -163,6 +182,7 @@ Json ToJson(const ComparedPath& path) {
             {"group", path.group},
             {"method", path.method},
             {"seed", path.seed},
+            {"kernels", path.kernels},
             {"reward_cable_robot", path.cable_robot},
             {"reference", path.reference},
             {"found", path.found},
@@ -184,6 +204,7 @@ ComparedPath PathOf(const Json& json) {
                     .group = json.at("group").get<std::string>(),
                     .method = json.at("method").get<std::string>(),
                     .seed = json.at("seed").get<int>(),
+                    .kernels = json.at("kernels").get<std::string>(),
                     .cable_robot = json.at("reward_cable_robot").get<double>(),
                     .reference = json.at("reference").get<bool>(),
                     .found = json.at("found").get<bool>(),
@@ -198,7 +219,8 @@ ComparedPath PathOf(const Json& json) {
   return path;
 }
 
-/// What tells one comparison from another: scenes, constants, the network of the policy.
+/// What tells one comparison from another: scenes, constants, the network of the policy. Not the kernels: a comparison
+/// may be finished, or its tables printed again, on another processor; each path says which ones it was learned with.
 Json SearchJson(const CompareQuestion& question) {
   Json scenes = Json::array();
   for (const ComparedScene& scene : question.scenes) {
@@ -214,8 +236,7 @@ Json SearchJson(const CompareQuestion& question) {
           {"penalties", question.penalties},
           {"penalty_groups", question.penalty_groups},
           {"ablation_groups", question.ablation_groups},
-          {"general", general},
-          {"kernels", question.kernels->name}};
+          {"general", general}};
 }
 
 }  // namespace

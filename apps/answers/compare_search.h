@@ -45,6 +45,7 @@ struct ComparedPath {
   std::string group;
   std::string method;         ///< "learned", "dijkstra", "voronoi", "search" or "general".
   int seed = 0;               ///< Of the training; 0 where there is none.
+  std::string kernels;        ///< With which the network was computed, where there is one.
   double cable_robot = 0;     ///< The reward for standing on the cable that it was trained with.
   bool reference = true;      ///< It was trained with the reference path.
   bool found = false;         ///< The method has a path to the goal.
@@ -54,7 +55,7 @@ struct ComparedPath {
   double time_s = 0;          ///< That it took, simulated.
   int cable_obstacle = 0;     ///< Steps with such a contact.
   int cable_robot_steps = 0;  ///< Likewise.
-  Polyline path;              ///< Empty without one.
+  Polyline path;              ///< To about a centimetre; empty without one.
 
   /// Contacts of a kind a minute.
   double PerMinute(int steps) const { return time_s > 0 ? 60 * steps / time_s : 0; }

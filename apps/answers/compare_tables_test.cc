@@ -12,6 +12,7 @@ ComparedPath PathOf(const std::string& group, const std::string& method, double 
           .group = group,
           .method = method,
           .seed = 1,
+          .kernels = "portable",
           .cable_robot = -0.5,
           .found = success,
           .success = success,
