@@ -37,9 +37,8 @@ Scene AnyScene(ByteSource& bytes) {
 
 void CheckPlan(const Scene& scene) {
   ContactFreeOptions options{.budget = 300};
-  options.env = OptionsFor(scene, options.env);
-  options.env.speed_m_per_s = 2 * options.env.robot_radius_m;
-  options.env.goal_radius_m = options.env.robot_radius_m;
+  options.env.speed_m_per_s = 2 * *scene.robot.radius;
+  options.env.goal_radius_m = *scene.robot.radius;
   const auto plan = PlanContactFree(scene, options);
   CheckAnswer(plan);
   if (!plan) return;
@@ -51,9 +50,10 @@ void CheckPlan(const Scene& scene) {
   const auto space = BuildFreeSpace(scene.world);
   TAUTLINE_CHECK(space.has_value());
   const ContactMap map(*space, 0.1);
-  TetherEnvOptions env_options = options.env;
-  env_options.reward.use_reference = false;
-  const auto env = EnvOf(scene, map, plan->motion.poses.front().heading_rad, env_options);
+  auto task = TaskOf(scene);
+  TAUTLINE_CHECK(task.has_value());
+  task->heading_rad = plan->motion.poses.front().heading_rad;
+  const auto env = TetherEnv::Create(map, *task, plan->env);
   TAUTLINE_CHECK(env.has_value());
   const DrivenMotion again = DriveMotion(*env, plan->motion.velocities);
   TAUTLINE_CHECK(again.at_goal && again.costs.cable_obstacle_steps == plan->motion.costs.cable_obstacle_steps);
