@@ -131,7 +131,7 @@ class ReferenceSearch {
     TAUTLINE_CHECK(direct);
     const ReferenceCandidate shortest = CandidateOf(*direct);
     if (shortest.fits) return Take(shortest);
-    if (laid_->Pull(space_).length > limit_) return TryInOrder(goal);
+    if (laid_->Pull(space_).length > limit_) return TryTethers(goal);
     const ClassChoice choice = ChooseClass(
         space_, laid_->walk, GoalDistances(*field_),
         {.max_tether = limit_ - laid_->base.stub_length, .budget = options_.budget, .keep_going = options_.keep_going});
@@ -149,21 +149,25 @@ class ReferenceSearch {
                                       .tether_length_m = chosen.tether->length};
   }
 
-  /// The loop of the paper: shortest first, as many as it takes.
-  void TryInOrder(Place goal) {
-    constexpr std::int64_t kFirst = 16;
-    constexpr std::int64_t kMore = 4;
-    std::size_t tried = 0;
-    for (std::int64_t count = kFirst;; count *= kMore) {
-      const ClassList list =
-          FindClassesOnward(space_, laid_->walk, goal,
-                            {.max_count = count, .budget = options_.budget, .keep_going = options_.keep_going});
-      for (; tried < list.classes.size(); ++tried) {
-        const ReferenceCandidate candidate = CandidateOf(list.classes[tried].points);
-        if (candidate.fits) return Take(candidate);
-      }
-      if (list.budget_exceeded || list.complete) return GiveUp();
+  /// All tethers that fit, each with the path that leads to it: back along the cable, and taut.
+  void TryTethers(Place goal) {
+    const ClassList tethers =
+        FindClassesOnward(space_, laid_->Root(), goal,
+                          {.max_length = task_.cable_length_m - laid_->base.stub_length / (1 + kLengthTolerance),
+                           .budget = options_.budget,
+                           .keep_going = options_.keep_going});
+    const Polyline cable = Points(PullTaut(space_.mesh(), laid_->walk));
+    const Polyline back(cable.rbegin(), cable.rend());
+    std::optional<ReferenceCandidate> best;
+    for (const TautPath& tether : tethers.classes) {
+      std::optional<Walk> walk{Walk(Place{laid_->walk.at, laid_->walk.sleeve.back()})};
+      TAUTLINE_CHECK(!space_.Follow(back, walk) && !space_.Follow(tether.points, walk));
+      ReferenceCandidate candidate = CandidateOf(Points(PullTaut(space_.mesh(), *walk)));
+      if (!best || candidate.path.length < best->path.length) best = std::move(candidate);
     }
+    if (!tethers.complete) return GiveUp();
+    TAUTLINE_CHECK(best);
+    Take(*best);
   }
 
   void GiveUp() {

@@ -84,8 +84,8 @@ struct SelectReferenceOptions {
 
 /// The shortest path to the goal over all classes whose taut tether at the goal fits the cable [Shimada2024, Alg. 2],
 /// decided by the exact engine, complete: no path is found only where none exists. A laid cable that leaves the grown
-/// ground, as one that has slid does, has the class of its word. Where the cable as laid is too long already, the
-/// classes are tried shortest first; otherwise ChooseClass finds the one without listing those before it.
+/// ground, as one that has slid does, has the class of its word. As a rule ChooseClass finds the class without listing
+/// those before it; where the cable as laid is too long already, all tethers that fit are looked at.
 /// Requires finite points, a cable length that is finite and not negative, and a laid cable of a point or more.
 ReferenceSelection SelectReference(const TautGround& ground, const ReferenceTask& task,
                                    const SelectReferenceOptions& options = {});

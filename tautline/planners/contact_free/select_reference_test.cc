@@ -54,7 +54,7 @@ TEST(SelectReference, GoesRoundTheOtherWayWhereTheCableIsShort) {
   const auto free = SelectReference(ground, {laid, 100, goal}, {.list = 3});
   ASSERT_TRUE(free.reference);
   EXPECT_TRUE(free.reference->word.empty());
-  // With 8 m the cable as laid is too long already: the classes are tried in order.
+  // With 8 m the cable as laid is too long already.
   for (const double length : {8.5, 8.0}) {
     const auto tight = SelectReference(ground, {laid, length, goal}, {.list = 3});
     ASSERT_TRUE(tight.reference);
