@@ -91,8 +91,8 @@ void RunEnvironment(benchmark::State& state, int steps) {
   const Room room;
   TetherEnv env = room.Env();
   Rng rng(kSeed);
-  double nodes = 0;
   for (auto _ : state) {
+    double nodes = 0;
     const double seconds = SecondsOf([&] {
       bool ended = false;
       for (int i = 0; i < steps; ++i) {
@@ -107,7 +107,7 @@ void RunEnvironment(benchmark::State& state, int steps) {
     });
     state.SetIterationTime(seconds);
     state.counters["steps_per_second"] = steps / seconds;
-    state.counters["nodes"] = nodes / steps / static_cast<double>(state.iterations());
+    state.counters["nodes"] = nodes / steps;
   }
 }
 

@@ -29,8 +29,9 @@ void AddCommonOptions(CLI::App& command, CommonOptions& options) {
       ->type_name("METRES")
       ->check(NonNegative());
   command
-      .add_option("--threads", options.threads,
-                  "the most threads to use, for --goals, --field, places and trainings; the answer does not depend on it")
+      .add_option(
+          "--threads", options.threads,
+          "the most threads to use, for --goals, --field, places and trainings; the answer does not depend on it")
       ->check(AtLeastOne());
   command.add_option("--seed", options.seed, "the seed of everything random");
 }

@@ -51,11 +51,11 @@ Expected<void> TrainingFolder::Write(const std::vector<File>& files) {
     OutputFiles outputs;
     for (std::size_t i = first; i < std::min(files.size(), first + OutputFiles::kMost); ++i) {
       const std::string path = PathOf(files[i].first);
-      const auto made = MakeFolder(std::filesystem::path(path).parent_path().string());
+      auto made = MakeFolder(std::filesystem::path(path).parent_path().string());
       if (!made) return made;
-      if (const auto added = outputs.Add(path, files[i].second); !added) return added;
+      if (auto added = outputs.Add(path, files[i].second); !added) return added;
     }
-    if (const auto placed = outputs.Commit(); !placed) return placed;
+    if (auto placed = outputs.Commit(); !placed) return placed;
   }
   return {};
 }

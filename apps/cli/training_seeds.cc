@@ -1,10 +1,10 @@
 #include "apps/cli/training_seeds.h"
 
 #include <fmt/format.h>
-#include <signal.h>
 
 #include <algorithm>
 #include <atomic>
+#include <csignal>
 #include <numeric>
 #include <string>
 #include <utility>

@@ -69,7 +69,7 @@ auto Guarded(const Do& act) noexcept -> decltype(act()) {
       last_error.clear();
     }
   }
-  return decltype(act())(-1);
+  return static_cast<decltype(act())>(-1);
 }
 
 /// -1 and the error unless the handle is one.

@@ -11,6 +11,7 @@
  *   while (tautline_env_step(env, TAUTLINE_ENV_STRAIGHT, &step) == 0 && !step.terminated && !step.truncated) ...
  *   tautline_env_free(env);
  */
+/* NOLINTBEGIN(modernize-*,readability-identifier-naming): this is C. */
 #ifndef TAUTLINE_ENV_H_
 #define TAUTLINE_ENV_H_
 
@@ -62,38 +63,39 @@ int32_t tautline_env_version(void);
 
 /** What was wrong with the last call of this thread that failed; "" before the first. Valid until the next call of this
  * thread. Never null. */
-const char *tautline_env_error(void);
+const char* tautline_env_error(void);
 
 /** An environment from a scene file, with the reference path that the exact engine finds, and the options of
  * `tautline learn train` as JSON: {"reward_cable_robot": -1, "observation": "metres", "use_reference": false}; names
  * have _ where options have -. Null options: the defaults. Null where something is wrong. */
-tautline_env *tautline_env_create(const char *scene_path, const char *options_json);
+tautline_env* tautline_env_create(const char* scene_path, const char* options_json);
 
 /** Frees an environment; null is fine. */
-void tautline_env_free(tautline_env *env);
+void tautline_env_free(tautline_env* env);
 
 /** Starts an episode and writes TAUTLINE_ENV_INPUTS numbers; `observation` may be null. The seed matters only with
  * noise. 0, or -1 where something is wrong. */
-int32_t tautline_env_reset(tautline_env *env, uint64_t seed, float *observation);
+int32_t tautline_env_reset(tautline_env* env, uint64_t seed, float* observation);
 
 /** One step. 0, or -1 where something is wrong: no episode is running, or there is no such action. */
-int32_t tautline_env_step(tautline_env *env, int32_t action, tautline_env_step_result *result);
+int32_t tautline_env_step(tautline_env* env, int32_t action, tautline_env_step_result* result);
 
 /** The state again. 0, or -1 where something is wrong. */
-int32_t tautline_env_observe(const tautline_env *env, float *observation);
+int32_t tautline_env_observe(const tautline_env* env, float* observation);
 
 /** Where the robot is. 0, or -1 where something is wrong. */
-int32_t tautline_env_where(const tautline_env *env, tautline_env_pose *pose);
+int32_t tautline_env_where(const tautline_env* env, tautline_env_pose* pose);
 
 /** The cable from base to tail: writes at most `room` points as x, y, x, y, ... and returns how many there are; null
  * `points` only counts. -1 where something is wrong. */
-int64_t tautline_env_cable(const tautline_env *env, double *points, size_t room);
+int64_t tautline_env_cable(const tautline_env* env, double* points, size_t room);
 
 /** The goal and its radius: 3 numbers. 0, or -1 where something is wrong. */
-int32_t tautline_env_goal(const tautline_env *env, double *goal);
+int32_t tautline_env_goal(const tautline_env* env, double* goal);
 
 #ifdef __cplusplus
 }
 #endif
 
 #endif /* TAUTLINE_ENV_H_ */
+/* NOLINTEND(modernize-*,readability-identifier-naming) */

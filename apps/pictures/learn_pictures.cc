@@ -28,6 +28,7 @@ std::string AnimateAnswer(const Scene& scene, const LearnAnswer& answer) {
 
 std::string DrawCurves(const std::vector<std::unique_ptr<TrainingRun>>& runs) {
   std::vector<LearningCurve> curves;
+  curves.reserve(runs.size());
   for (const auto& run : runs) curves.push_back({.episodes = run->episodes(), .evaluations = run->evaluations()});
   return DrawLearning(curves);
 }

@@ -56,10 +56,12 @@ PlotContent PlotOf(const std::string& title, const Spread& spread, const std::st
 
 PlotContent EpisodePlot(std::span<const LearningCurve> curves, double steps) {
   std::vector<std::vector<double>> means;
+  means.reserve(curves.size());
   for (const LearningCurve& curve : curves) means.push_back(MeansOf(curve.episodes, steps));
   Spread spread;
   for (std::size_t i = 0; i < kStretches; ++i) {
     std::vector<double> values;
+    values.reserve(means.size());
     for (const auto& curve : means) values.push_back(curve[i]);
     spread.Add((static_cast<double>(i) + 0.5) / kStretches * steps, values);
   }

@@ -42,9 +42,14 @@ template <class Visit>
 ContactCounts ForEachContact(const std::vector<EnvFrame>& frames, const Visit& visit) {
   ContactCounts counts;
   for (std::size_t i = 1; i < frames.size(); ++i) {
-    if (frames[i].cable_robot && !frames[i - 1].cable_robot) visit(frames[i], Marker::kRing), ++counts.robot;
-    if (frames[i].cable_obstacle && !frames[i - 1].cable_obstacle)
-      visit(frames[i], Marker::kCrossing), ++counts.obstacle;
+    if (frames[i].cable_robot && !frames[i - 1].cable_robot) {
+      visit(frames[i], Marker::kRing);
+      ++counts.robot;
+    }
+    if (frames[i].cable_obstacle && !frames[i - 1].cable_obstacle) {
+      visit(frames[i], Marker::kCrossing);
+      ++counts.obstacle;
+    }
   }
   return counts;
 }

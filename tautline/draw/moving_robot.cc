@@ -24,15 +24,15 @@ std::vector<const DriveFrame*> FilmFrames(std::span<const DriveFrame> all) {
 
 }  // namespace
 
-void DrawMovingRobot(Figure& figure, std::span<const DriveFrame> all, double robot_radius_m) {
-  const std::vector<const DriveFrame*> frames = FilmFrames(all);
-  const double end = frames.back()->t_s;
+void DrawMovingRobot(Figure& figure, std::span<const DriveFrame> frames, double robot_radius_m) {
+  const std::vector<const DriveFrame*> film_frames = FilmFrames(frames);
+  const double end = film_frames.back()->t_s;
   const double film = std::clamp(end / kSpeedUp, kShortestFilm, kLongestFilm);
   SvgMotion motion{.times = {}, .duration_s = film + kHold};
   std::vector<Polyline> cables;
   std::vector<Point> robots;
-  for (const DriveFrame* frame : frames) {
-    motion.times.push_back(end > 0 ? (frame->t_s - frames.front()->t_s) / end * film / motion.duration_s : 0);
+  for (const DriveFrame* frame : film_frames) {
+    motion.times.push_back(end > 0 ? (frame->t_s - film_frames.front()->t_s) / end * film / motion.duration_s : 0);
     cables.push_back(figure.view().ToPixels(frame->cable));
     robots.push_back(figure.view().ToPixels(frame->robot));
   }

@@ -278,8 +278,9 @@ std::optional<std::pair<std::string, std::string>> ReadEntry(std::string_view by
 void ReadFloats(std::string_view raw, float* values) {
   for (std::size_t i = 0; i < raw.size() / 4; ++i) {
     std::uint32_t bits = 0;
-    for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t j = 0; j < 4; ++j) {
       bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(raw[4 * i + j])) << (8 * j);
+    }
     std::memcpy(values + i, &bits, sizeof bits);
   }
 }

@@ -17,8 +17,8 @@ struct OnnxModel {
   std::map<std::string, std::string> metadata;  ///< How it was made; printed in the order of the keys.
 };
 
-/// The bytes of an ONNX model (onnx.ai): opset 13, one Gemm a layer with a Relu between, the input "observation" and the
-/// output "values", floats with one row for each sample. The same model gives the same bytes. O(parameters).
+/// The bytes of an ONNX model (onnx.ai): opset 13, one Gemm a layer with a Relu between, the input "observation" and
+/// the output "values", floats with one row for each sample. The same model gives the same bytes. O(parameters).
 std::string WriteOnnx(const OnnxModel& model);
 
 /// Reads what WriteOnnx wrote. Errors, with `name` as where: the bytes are no such model, or not whole, or have more

@@ -10,7 +10,7 @@ namespace {
 /// Changes with the meaning of the bytes.
 constexpr std::string_view kHeader = "tautline training 1\n";
 /// Of a record.
-constexpr std::size_t kRecordBytes = 8 * 9;
+constexpr std::size_t kRecordBytes = 72;
 /// The starts and the learner draw from sequences of their own.
 constexpr std::uint64_t kStartsSalt = 0x5ca1ab1e0ddba115U;
 
