@@ -132,7 +132,7 @@ class CompareWorker {
   void Search() {
     const auto plan = PlanContactFree(scene_.scene, {.env = SearchEnv()});
     const bool found = plan && plan->status == ContactFreeStatus::kSolved;
-    Add("search", found, found ? plan->motion.Path() : Polyline{});
+    Add("search", found, found ? plan->path : Polyline{});
   }
 
   TetherEnvOptions SearchEnv() const {

@@ -104,7 +104,7 @@ TEST(ShortenByLineOfSight, StaysInTheClass) {
 TEST(EnumerateSignatures, FindsClassesOfTheEngine) {
   Rng rng(812);
   std::size_t classes = 0, paths = 0;
-  for (std::int64_t trial = 0; trial < ScaledTestCount(60); ++trial) {
+  for (std::int64_t trial = 0; trial < 12 + ScaledTestCount(48); ++trial) {
     SCOPED_TRACE(trial);
     const RobotGround scene = MakeRobotGround(rng, rng.Uniform(0.1, 0.4));
     const TautSpace& space = scene.ground.space();
