@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "tautline/draw/figure.h"
 #include "tautline/draw/aligned_keyframes.h"
+#include "tautline/draw/figure.h"
 #include "tautline/draw/length_text.h"
 
 namespace tautline {

@@ -11,21 +11,21 @@ namespace tautline {
 /// One layer applied to a batch: y = x W^T + b, and the negative set to zero where `relu`. Rows of `x` and `y` are
 /// samples, rows of `weights` are outputs; all are without gaps.
 struct LayerCall {
-  int inputs = 0;
-  int outputs = 0;
-  int batch = 0;
+  int inputs = 0;                  ///< Of one sample.
+  int outputs = 0;                 ///< Of one sample.
+  int batch = 0;                   ///< Samples.
   const float* weights = nullptr;  ///< outputs x inputs.
   const float* bias = nullptr;     ///< outputs.
   const float* x = nullptr;        ///< batch x inputs.
   float* y = nullptr;              ///< batch x outputs; written.
-  bool relu = false;
+  bool relu = false;               ///< Whether the negative is set to zero.
 };
 
 /// The gradients of one layer from that of its outputs (before the ReLU).
 struct LayerGradientCall {
-  int inputs = 0;
-  int outputs = 0;
-  int batch = 0;
+  int inputs = 0;                  ///< Of one sample.
+  int outputs = 0;                 ///< Of one sample.
+  int batch = 0;                   ///< Samples.
   const float* weights = nullptr;  ///< outputs x inputs.
   const float* x = nullptr;        ///< batch x inputs: what the layer was applied to.
   const float* d_y = nullptr;      ///< batch x outputs.
@@ -36,17 +36,17 @@ struct LayerGradientCall {
 
 /// One step of Adam [Kingma2014] on `count` numbers.
 struct AdamCall {
-  std::size_t count = 0;
-  const float* gradient = nullptr;
-  float gradient_scale = 1;     ///< The gradient is multiplied by this.
-  float* parameters = nullptr;  ///< Changed.
-  float* mean = nullptr;        ///< Of gradients; changed.
-  float* square = nullptr;      ///< Of gradients, the mean of squares; changed.
-  float decay_mean = 0;         ///< beta 1.
-  float decay_square = 0;       ///< beta 2.
-  float rate = 0;               ///< Learning rate / (1 - beta1^t).
-  float root_scale = 1;         ///< 1 / sqrt(1 - beta2^t).
-  float epsilon = 0;            ///< Added to the root.
+  std::size_t count = 0;            ///< How many numbers.
+  const float* gradient = nullptr;  ///< Of the loss.
+  float gradient_scale = 1;         ///< The gradient is multiplied by this.
+  float* parameters = nullptr;      ///< Changed.
+  float* mean = nullptr;            ///< Of gradients; changed.
+  float* square = nullptr;          ///< Of gradients, the mean of squares; changed.
+  float decay_mean = 0;             ///< beta 1.
+  float decay_square = 0;           ///< beta 2.
+  float rate = 0;                   ///< Learning rate / (1 - beta1^t).
+  float root_scale = 1;             ///< 1 / sqrt(1 - beta2^t).
+  float epsilon = 0;                ///< Added to the root.
 };
 
 /// The loops, for one width of vectors. Each gives the same bytes for the same input, whatever the addresses; tables

@@ -13,7 +13,7 @@ namespace tautline {
 
 /// A network and what is to be known about it.
 struct OnnxModel {
-  Mlp network;
+  Mlp network;                                  ///< Its weights.
   std::map<std::string, std::string> metadata;  ///< How it was made; printed in the order of the keys.
 };
 

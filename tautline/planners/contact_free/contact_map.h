@@ -24,7 +24,9 @@ class ContactMap {
   /// metres, larger ones where there would be more than 256 in a row, answers what is far from obstacles. Keeps
   /// nothing of the space. O(n log n) for n vertices, and for each cell about O(1).
   ContactMap(const FreeSpace& space, double cell_m);
+  /// Leaves the other one empty.
   ContactMap(ContactMap&&) = default;
+  /// Leaves the other one empty.
   ContactMap& operator=(ContactMap&&) = default;
 
   /// Whether the segment has a point in blocked ground or on its edge: rectangles by clipping, other rings edge by

@@ -38,8 +38,8 @@ struct DqnOptions {
 
 /// What it learns on: observations of so many numbers, so many actions.
 struct DqnTask {
-  int inputs = 0;
-  int actions = 0;
+  int inputs = 0;   ///< Numbers of an observation.
+  int actions = 0;  ///< To choose among.
 };
 
 /// The learner. Everything random comes from its seed: the same seed, kernels and transitions give the same bytes.

@@ -19,6 +19,7 @@ namespace tautline {
 inline constexpr std::array<double, 2> kIntentAhead = {1.5, 4};
 /// As numbers: both points in the robot's frame, in units of the farther distance.
 inline constexpr int kIntentSize = 4;
+/// An intent.
 using DriverIntent = std::array<float, kIntentSize>;
 
 /// The intent of a robot that will follow `way` from its pose on.

@@ -27,9 +27,9 @@ struct Demonstrations {
 
 /// A scene, its environment with the way-points of a reference, ready to drive.
 struct Course {
-  Scene scene;
+  Scene scene;                            ///< What it was made from.
   std::shared_ptr<const ContactMap> map;  ///< Shared with the copies of the environment, which refer to it.
-  TetherEnv env;
+  TetherEnv env;                          ///< At its start.
 };
 
 /// A course on a scene with the way-points of the exact reference [SelectReference]. Nothing where there is none, or
@@ -39,15 +39,17 @@ std::optional<Course> MakeCourse(const Scene& scene, const TetherEnvOptions& opt
 /// The courses of a seed: a random one, and for every second seed the one after it, with its cable laid by the search.
 std::optional<Course> CourseOf(std::uint64_t seed, const TetherEnvOptions& options);
 
-/// What the search does on the course of a seed; with a policy, also what it does from `recoveries` states into which
-/// that policy came by itself, so that it learns to get out of its own mistakes [Ross2011]. Searches take
-/// `budget` states at most. Deterministic: seeds may be spread over threads. About a second for each search.
+/// What is collected.
 struct CollectOptions {
   TetherEnvOptions env;                  ///< The robot.
   std::int64_t budget = 20'000;          ///< States of a search.
   const DriverPolicy* policy = nullptr;  ///< Whose mistakes count.
   int recoveries = 3;                    ///< Of a course.
 };
+
+/// What the search does on the course of a seed; with a policy, also what it does from `recoveries` states into which
+/// that policy came by itself, so that it learns to get out of its own mistakes [Ross2011]. Searches take
+/// `budget` states at most. Deterministic: seeds may be spread over threads. About a second for each search.
 Demonstrations CollectDemonstrations(std::uint64_t seed, const CollectOptions& options);
 
 /// How the network is taught.
@@ -66,6 +68,7 @@ Mlp Imitate(const Demonstrations& demonstrations, const ImitationOptions& option
 
 /// A view as it would be in a mirror along the robot's heading, and the intent that belongs to it.
 DriverView Mirrored(const DriverView& view);
+/// That intent.
 DriverIntent Mirrored(const DriverIntent& intent);
 
 }  // namespace tautline

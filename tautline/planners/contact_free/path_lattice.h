@@ -12,7 +12,7 @@ namespace tautline {
 
 /// A graph with the two nodes that paths are asked between.
 struct JoinedGraph {
-  PathGraph graph;
+  PathGraph graph;  ///< With the two ends.
   PathNodeId from;  ///< Where paths start.
   PathNodeId to;    ///< Where they end; the same node when both are one point.
 };

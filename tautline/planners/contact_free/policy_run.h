@@ -36,7 +36,7 @@ struct EnvFrame {
 
 /// An episode.
 struct PolicyRun {
-  EpisodeTotals totals;
+  EpisodeTotals totals;          ///< What it came to.
   std::vector<EnvFrame> frames;  ///< The start and each step; empty where they were not wanted.
 };
 

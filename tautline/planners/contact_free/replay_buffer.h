@@ -23,10 +23,10 @@ struct Transition {
 
 /// A number of transitions side by side, one row of each field for one transition.
 struct TransitionBatch {
-  std::vector<float> before;
-  std::vector<int> actions;
-  std::vector<float> rewards;
-  std::vector<float> after;
+  std::vector<float> before;   ///< What was observed.
+  std::vector<int> actions;    ///< What was done.
+  std::vector<float> rewards;  ///< What it was worth.
+  std::vector<float> after;    ///< What was observed then.
   std::vector<float> goes_on;  ///< 0 where the transition is terminal, else 1.
 };
 

@@ -66,8 +66,8 @@ struct ReferenceCandidate {
 
 /// The reference, or why there is none.
 struct ReferenceSelection {
-  ReferenceOutcome outcome = ReferenceOutcome::kFound;
-  std::optional<ReferencePath> reference;  ///< For kFound.
+  ReferenceOutcome outcome = ReferenceOutcome::kFound;  ///< How it ended.
+  std::optional<ReferencePath> reference;               ///< For kFound.
   /// The shortest classes, as many as were asked for; the paper's way lists all that it knows.
   std::vector<ReferenceCandidate> candidates;
   bool all_listed = false;                  ///< There are no other classes.
