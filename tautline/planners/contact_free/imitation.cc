@@ -95,18 +95,18 @@ void Demonstrations::Append(const Demonstrations& others) {
   intents.insert(intents.end(), others.intents.begin(), others.intents.end());
 }
 
-std::optional<Course> MakeCourse(const Scene& scene, const TetherEnvOptions& given) {
-  const TetherEnvOptions options = OptionsFor(scene, given);
+std::optional<Course> MakeCourse(const Scene& scene, const TetherEnvOptions& options) {
+  const TetherEnvOptions with = OptionsFor(scene, options);
   auto task = TaskOf(scene);
   const auto free = BuildFreeSpace(scene.world);
-  const auto ground = PrepareRobotGround(scene.world, options.robot_radius_m);
+  const auto ground = PrepareRobotGround(scene.world, with.robot_radius_m);
   if (!task || !free || !ground) return std::nullopt;
   const ReferenceSelection selection = SelectReference(
       *ground, {.laid = task->laid, .cable_length_m = task->cable_length_m, .goal = task->goal}, {.budget = 200'000});
   if (!selection.reference) return std::nullopt;
-  task->waypoints = Waypoints(selection.reference->path, options.robot_radius_m);
-  auto map = std::make_shared<const ContactMap>(*free, kCellOfRadius * options.robot_radius_m);
-  auto env = TetherEnv::Create(*map, *task, options);
+  task->waypoints = Waypoints(selection.reference->path, with.robot_radius_m);
+  auto map = std::make_shared<const ContactMap>(*free, kCellOfRadius * with.robot_radius_m);
+  auto env = TetherEnv::Create(*map, *task, with);
   if (!env) return std::nullopt;
   return Course{scene, std::move(map), *std::move(env)};
 }
