@@ -7,6 +7,7 @@
 #include "tautline/homotopy/curve_faults.h"
 #include "tautline/planners/contact_free/homotopic_dijkstra.h"
 #include "tautline/planners/contact_free/homotopic_voronoi.h"
+#include "tautline/planners/contact_free/path_lattice.h"
 #include "tautline/planners/contact_free/tether_env.h"
 #include "tautline/planners/contact_free/yen_reference.h"
 #include "tautline/scene/check_tether.h"
@@ -202,12 +203,17 @@ Expected<ReferenceAnswer> AnswerReference(const Scene& scene, const ReferenceQue
   const auto task = TaskOf(scene);
   if (!task) return tl::unexpected(task.error());
   const double radius = question.robot_radius_m.value_or(scene.robot.radius.value_or(kUsualRadius));
+  if (!(radius > 0)) return InvalidInput("the robot's radius must be larger than 0", "--robot-radius");
   const Clock clock;
   auto ground = PrepareRobotGround(scene.world, radius, question.watch);
   if (!ground) return tl::unexpected(ground.error());
   ReferenceAnswer answer{
       .ground = *std::move(ground), .robot_radius_m = radius, .step_m = question.step_m.value_or(radius)};
   answer.times.ground = clock.ms();
+  if (question.yen || question.baselines) {
+    const auto step = CheckLatticeStep(answer.ground.space(), answer.step_m);
+    if (!step) return InvalidInput(step.error().message, "--step");
+  }
   if (auto done = ReferenceAsker(scene, question, *task, answer).Run(); !done) return tl::unexpected(done.error());
   WriteJson(question, *scene.tether, answer);
   if (MustVerify(question.verify)) {

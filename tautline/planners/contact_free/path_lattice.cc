@@ -95,7 +95,7 @@ bool IsFreeSegment(const TautSpace& space, Place from, Point to) {
   return !WalkNearly(space.mesh(), to, space.tolerance(), walk);
 }
 
-Expected<JoinedGraph> BuildPathLattice(const TautSpace& space, Point from, Point to, double step_m) {
+Expected<void> CheckLatticeStep(const TautSpace& space, double step_m) {
   const Point size = space.free_space().box.size();
   if (!(step_m > 0)) return InvalidInput("the step of the lattice must be larger than 0", "step");
   if (std::ceil(size.x / step_m) * std::ceil(size.y / step_m) > static_cast<double>(kMostLatticePoints)) {
@@ -103,6 +103,11 @@ Expected<JoinedGraph> BuildPathLattice(const TautSpace& space, Point from, Point
                             " lattice points; give a larger one",
                         "step");
   }
+  return {};
+}
+
+Expected<JoinedGraph> BuildPathLattice(const TautSpace& space, Point from, Point to, double step_m) {
+  if (const auto checked = CheckLatticeStep(space, step_m); !checked) return tl::unexpected(checked.error());
   const auto first = space.Locate(from), last = space.Locate(to);
   if (!first || !last) return InvalidInput("an end of the path is not in the free space", "");
   return LatticeBuilder(space, step_m).Build(*first, *last);

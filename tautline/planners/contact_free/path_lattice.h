@@ -20,10 +20,13 @@ struct JoinedGraph {
 /// Points that a lattice may have.
 inline constexpr std::int64_t kMostLatticePoints = 4'000'000;
 
+/// That a step is positive and gives no more than kMostLatticePoints.
+[[nodiscard]] Expected<void> CheckLatticeStep(const TautSpace& space, double step_m);
+
 /// The centres of square cells with sides of `step_m`, from the lower left corner of the world on, that lie in the free
 /// space; each is joined to those of its eight neighbours that it reaches straight. The two ends are joined to the
 /// points of the four by four cells around them, and to each other where they are no farther apart than two steps.
-/// Errors: a step that is not positive, more than kMostLatticePoints, or an end that is not in the free space.
+/// Errors: those of CheckLatticeStep, or an end that is not in the free space.
 /// O(points).
 [[nodiscard]] Expected<JoinedGraph> BuildPathLattice(const TautSpace& space, Point from, Point to, double step_m);
 
