@@ -104,11 +104,11 @@ TEST(ShortenByLineOfSight, StaysInTheClass) {
 TEST(EnumerateSignatures, FindsClassesOfTheEngine) {
   Rng rng(812);
   std::size_t classes = 0, paths = 0;
-  for (std::int64_t trial = 0; trial < 12 + ScaledTestCount(48); ++trial) {
+  for (std::int64_t trial = 0; trial < 8 + ScaledTestCount(52); ++trial) {
     SCOPED_TRACE(trial);
     const RobotGround scene = MakeRobotGround(rng, rng.Uniform(0.1, 0.4));
     const TautSpace& space = scene.ground.space();
-    const auto found = EnumerateSignatures(space, scene.from, scene.to, {.count = 40, .step_m = 0.8});
+    const auto found = EnumerateSignatures(space, scene.from, scene.to, {.count = 120, .step_m = 0.8});
     ASSERT_TRUE(found);
     std::set<Word> words;
     double before = 0;
