@@ -242,7 +242,7 @@ int32_t tautline_env_where(const tautline_env* env, tautline_env_pose* pose) {
   return Guarded([=]() -> int32_t {
     if (Refused(env)) return -1;
     if (pose == nullptr) return Fail("no place for the pose");
-    const tautline::Pose& at = env->env->pose();
+    const tautline::RobotPose& at = env->env->pose();
     *pose = {at.at.x, at.at.y, at.heading_rad};
     return 0;
   });

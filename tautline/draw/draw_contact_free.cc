@@ -75,7 +75,7 @@ SvgCurve CircleAt(Point centre, double radius) {
 }
 
 /// The disc, and a stroke from its centre ahead.
-void DrawRobot(Figure& figure, const ContactFreePicture& picture, const Pose& pose, double opacity) {
+void DrawRobot(Figure& figure, const ContactFreePicture& picture, const RobotPose& pose, double opacity) {
   const Point centre = figure.view().ToPixels(pose.at);
   const double radius = picture.robot_radius_m * figure.view().pixels_per_metre();
   figure.Shape("robot", std::vector{CircleAt(centre, radius)}, {.fill = kRobotColour, .opacity = opacity});
@@ -125,7 +125,7 @@ void DrawMoving(Figure& figure, const ContactFreePicture& picture) {
   std::vector<Point> robots;
   for (const std::size_t step : steps) {
     motion.times.push_back(static_cast<double>(step) / end * film / motion.duration_s);
-    const Pose& pose = picture.motion.poses[step];
+    const RobotPose& pose = picture.motion.poses[step];
     const Point ahead{std::cos(pose.heading_rad), std::sin(pose.heading_rad)};
     cables.push_back(figure.view().ToPixels(CableAt(picture.motion, step)));
     robots.push_back(figure.view().ToPixels(pose.at));

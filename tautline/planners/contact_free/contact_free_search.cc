@@ -214,7 +214,7 @@ class Search {
   }
 
   std::uint64_t CrowdOf(const State& state) const {
-    const Pose& pose = state.env->pose();
+    const RobotPose& pose = state.env->pose();
     std::uint64_t key = Mix(0, CellOf(pose.at.x, grain_.crowd_m));
     key = Mix(key, CellOf(pose.heading_rad, 2 * std::numbers::pi / grain_.crowd_headings));
     return Mix(Mix(key, CellOf(pose.at.y, grain_.crowd_m)), state.word);
@@ -306,7 +306,7 @@ class Search {
   }
 
   std::uint64_t KeyOf(const State& state) const {
-    const Pose& pose = state.env->pose();
+    const RobotPose& pose = state.env->pose();
     const double sector = 2 * std::numbers::pi / grain_.headings;
     std::uint64_t key = Mix(0, CellOf(pose.at.x, grain_.cell_m));
     key = Mix(key, CellOf(pose.at.y, grain_.cell_m));

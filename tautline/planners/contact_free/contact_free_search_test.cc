@@ -113,7 +113,7 @@ TEST(ContactFreeSearch, NeverPullsTheCableThroughAnObstacle) {
     Polyline cable = driven.cables.back();
     cable.push_back(driven.poses.back().at);
     Polyline way = chamber.env->task().laid;
-    for (const Pose& pose : driven.poses) way.push_back(pose.at);
+    for (const RobotPose& pose : driven.poses) way.push_back(pose.at);
     EXPECT_EQ(chamber.rays->WordOf(cable), chamber.rays->WordOf(way));
   }
 }

@@ -6,7 +6,7 @@ namespace tautline {
 
 Polyline DrivenMotion::Path() const {
   Polyline path;
-  for (const Pose& pose : poses) {
+  for (const RobotPose& pose : poses) {
     // Steps that turn on the spot stay where they are.
     if (path.empty() || path.back() != pose.at) path.push_back(pose.at);
   }

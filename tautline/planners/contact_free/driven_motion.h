@@ -36,7 +36,7 @@ struct MotionCosts {
 /// A motion and what comes of it.
 struct DrivenMotion {
   std::vector<Velocity> velocities;  ///< One a step.
-  std::vector<Pose> poses;           ///< Where it starts, and after each step.
+  std::vector<RobotPose> poses;      ///< Where it starts, and after each step.
   std::vector<Polyline> cables;      ///< From base to tail, at the same times.
   std::vector<EnvStep> outcomes;     ///< Of each step.
   MotionCosts costs;                 ///< Of all steps.

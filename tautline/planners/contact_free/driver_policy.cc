@@ -25,13 +25,13 @@ constexpr std::size_t kWaypointsAhead = 2;
 /// half as many.
 constexpr int kPatience = 60;
 
-double AngleTo(const Pose& pose, Point p) {
+double AngleTo(const RobotPose& pose, Point p) {
   const Point off = p - pose.at;
   return std::remainder(std::atan2(off.y, off.x) - pose.heading_rad, 2 * std::numbers::pi);
 }
 
 /// Along the arc to the point [Coulter1992], no tighter than the robot turns at its speed.
-Velocity Pursue(const Pose& pose, Point p, const TetherEnvOptions& options) {
+Velocity Pursue(const RobotPose& pose, Point p, const TetherEnvOptions& options) {
   const double angle = AngleTo(pose, p), turn = options.turn_rad_per_s;
   if (std::abs(angle) > kTurnFrom) return {0, angle > 0 ? turn : -turn};
   const double curvature = 2 * std::sin(angle) / std::max(Distance(pose.at, p), 0.1 * options.robot_radius_m);
@@ -54,7 +54,7 @@ std::array<Velocity, 9> Alternatives(const TetherEnvOptions& options) {
 
 /// The nearer point of an intent in the plane.
 Point PlaceOf(const DriverIntent& intent, const TetherEnv& env) {
-  const Pose& pose = env.pose();
+  const RobotPose& pose = env.pose();
   const double unit = kIntentAhead[1] * env.options().robot_radius_m;
   const Point ahead{std::cos(pose.heading_rad), std::sin(pose.heading_rad)}, left{-ahead.y, ahead.x};
   return pose.at + unit * (static_cast<double>(intent[0]) * ahead + static_cast<double>(intent[1]) * left);
@@ -87,7 +87,7 @@ double CostAhead(TetherEnv env, Velocity velocity, std::size_t waypoint, int ste
 
 }  // namespace
 
-DriverIntent IntentOf(const Pose& pose, std::span<const Point> way, double robot_radius_m) {
+DriverIntent IntentOf(const RobotPose& pose, std::span<const Point> way, double robot_radius_m) {
   DriverIntent intent{};
   const double unit = kIntentAhead[1] * robot_radius_m;
   const Point ahead{std::cos(pose.heading_rad), std::sin(pose.heading_rad)};

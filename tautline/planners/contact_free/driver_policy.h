@@ -23,7 +23,7 @@ inline constexpr int kIntentSize = 4;
 using DriverIntent = std::array<float, kIntentSize>;
 
 /// The intent of a robot that will follow `way` from its pose on.
-DriverIntent IntentOf(const Pose& pose, std::span<const Point> way, double robot_radius_m);
+DriverIntent IntentOf(const RobotPose& pose, std::span<const Point> way, double robot_radius_m);
 
 /// How a policy drives.
 struct DriverOptions {

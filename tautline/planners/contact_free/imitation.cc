@@ -62,7 +62,7 @@ void Note(const Scene& scene, const DrivenMotion& motion, const CollectOptions& 
   TetherEnv env = *std::move(created);
   std::size_t waypoint = 0;
   Polyline way;
-  for (const Pose& pose : motion.poses) way.push_back(pose.at);
+  for (const RobotPose& pose : motion.poses) way.push_back(pose.at);
   for (std::size_t k = 0; k < motion.velocities.size(); ++k) {
     waypoint = AdvanceAlong(env, waypoint);
     const DriverView view = LookAround(env, waypoint);

@@ -163,7 +163,7 @@ class Planning {
     }
     result_.status = ContactFreeStatus::kSolved;
     Polyline way = laid_;
-    for (const Pose& pose : result_.motion.poses) way.push_back(pose.at);
+    for (const RobotPose& pose : result_.motion.poses) way.push_back(pose.at);
     result_.tether = Shorten(space_, way).path;
   }
 

@@ -28,7 +28,7 @@ struct EpisodeTotals {
 /// One moment of an episode.
 struct EnvFrame {
   double t_s = 0;               ///< Since the start.
-  Pose pose;                    ///< Of the robot.
+  RobotPose pose;               ///< Of the robot.
   Polyline cable;               ///< From base to tail.
   bool cable_robot = false;     ///< The robot stands on its cable.
   bool cable_obstacle = false;  ///< The cable touches an obstacle.

@@ -32,7 +32,7 @@ Point PurePursuit::PointAt(double along_m) const {
   return Lerp(path_[i - 1], path_[i], (along_m - reached_m_[i - 1]) / (reached_m_[i] - reached_m_[i - 1]));
 }
 
-double PurePursuit::AngleTo(const Pose& pose, Point target) {
+double PurePursuit::AngleTo(const RobotPose& pose, Point target) {
   const Point way = target - pose.at;
   return std::remainder(std::atan2(way.y, way.x) - pose.heading_rad, 2 * std::numbers::pi);
 }
@@ -53,7 +53,7 @@ void PurePursuit::MoveOn(Point robot, double reach_m) {
   }
 }
 
-DriveCommand PurePursuit::Steer(const Pose& pose, double lookahead_m) const {
+DriveCommand PurePursuit::Steer(const RobotPose& pose, double lookahead_m) const {
   TAUTLINE_CHECK(lookahead_m > 0);
   const Point target = PointAt(along_m_ + lookahead_m);
   const double distance = Distance(pose.at, target);
@@ -67,7 +67,7 @@ DriveCommand PurePursuit::Steer(const Pose& pose, double lookahead_m) const {
   return {speed, curvature * speed};
 }
 
-DriveCommand PurePursuit::TurnTowards(const Pose& pose, double lookahead_m) const {
+DriveCommand PurePursuit::TurnTowards(const RobotPose& pose, double lookahead_m) const {
   const Point target = PointAt(along_m_ + lookahead_m);
   const double angle = AngleTo(pose, target), most = options_.turn_rad_per_s;
   if (Distance(pose.at, target) <= kAtPoint || std::abs(angle) <= kAligned) return {};

@@ -35,10 +35,10 @@ class PurePursuit {
 
   /// Where to drive from a pose, with a lookahead; a command without motion when the robot is at the end. Requires a
   /// positive lookahead. O(points within it).
-  DriveCommand Steer(const Pose& pose, double lookahead_m) const;
+  DriveCommand Steer(const RobotPose& pose, double lookahead_m) const;
 
   /// Turns on the spot towards the same point; no motion when the robot looks at it, or is there.
-  DriveCommand TurnTowards(const Pose& pose, double lookahead_m) const;
+  DriveCommand TurnTowards(const RobotPose& pose, double lookahead_m) const;
 
   /// How far along the path the robot is, metres.
   double along_m() const { return along_m_; }
@@ -47,7 +47,7 @@ class PurePursuit {
 
  private:
   Point PointAt(double along_m) const;
-  static double AngleTo(const Pose& pose, Point target);
+  static double AngleTo(const RobotPose& pose, Point target);
 
   Polyline path_;
   PurePursuitOptions options_;

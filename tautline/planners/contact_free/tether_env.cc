@@ -127,7 +127,7 @@ TetherEnv::TetherEnv(std::shared_ptr<const Setup> setup)
 
 Observation TetherEnv::Reset(std::uint64_t seed) {
   const TetherEnvOptions& with = options();
-  const Pose start{task().laid.back(), setup_->heading_rad};
+  const RobotPose start{task().laid.back(), setup_->heading_rad};
   StartAt(start);
   Rng rng(seed);
   if (with.heading_noise_rad > 0) {
@@ -137,7 +137,7 @@ Observation TetherEnv::Reset(std::uint64_t seed) {
   }
   for (int trial = 0; with.start_noise_m > 0 && trial < kStartTrials; ++trial) {
     const Point by{rng.Uniform(-1, 1), rng.Uniform(-1, 1)};
-    const Pose moved{start.at + with.start_noise_m * by, pose_.heading_rad};
+    const RobotPose moved{start.at + with.start_noise_m * by, pose_.heading_rad};
     if (Norm(by) > 1 || map().DiscTouches(moved.at, with.robot_radius_m) || !cable_.Pull(TailAt(moved))) continue;
     pose_ = moved;
     break;
@@ -145,7 +145,7 @@ Observation TetherEnv::Reset(std::uint64_t seed) {
   return Observe();
 }
 
-void TetherEnv::StartAt(const Pose& pose) {
+void TetherEnv::StartAt(const RobotPose& pose) {
   const TetherEnvOptions& with = options();
   pose_ = pose;
   steps_ = 0;
@@ -154,7 +154,7 @@ void TetherEnv::StartAt(const Pose& pose) {
                       {.length_m = task().cable_length_m, .link_length_m = with.link_length_m});
 }
 
-Point TetherEnv::TailAt(const Pose& pose) const {
+Point TetherEnv::TailAt(const RobotPose& pose) const {
   return pose.at - options().robot_radius_m * Direction(pose.heading_rad);
 }
 
@@ -187,7 +187,7 @@ EnvStep TetherEnv::StepWith(double speed_m_per_s, double turn_rad_per_s) {
 // Eq. 5, with what may forbid it.
 bool TetherEnv::Move(double speed_m_per_s, double turn_rad_per_s, EnvStep& step) {
   const double dt = options().dt_s;
-  Pose moved = pose_;
+  RobotPose moved = pose_;
   if (speed_m_per_s != 0) moved.at = pose_.at + speed_m_per_s * dt * Direction(pose_.heading_rad);
   moved.heading_rad = Wrap(pose_.heading_rad + turn_rad_per_s * dt);
   step.robot_obstacle = map().DiscTouches(moved.at, options().robot_radius_m);

@@ -69,7 +69,7 @@ struct TetherTask {
 TetherEnvOptions OptionsFor(const Scene& scene, TetherEnvOptions options = {});
 
 /// The pose of the robot.
-struct Pose {
+struct RobotPose {
   Point at;                ///< Its centre.
   double heading_rad = 0;  ///< Counter-clockwise from the x axis, in (-pi, pi].
 };
@@ -115,7 +115,7 @@ class TetherEnv {
   Observation Observe() const;
 
   /// Where the robot is.
-  const Pose& pose() const { return pose_; }
+  const RobotPose& pose() const { return pose_; }
   /// Where the cable lies, from base to tail.
   const CableChain& cable() const { return cable_; }
   /// Of this episode.
@@ -139,15 +139,15 @@ class TetherEnv {
 
   explicit TetherEnv(std::shared_ptr<const Setup> setup);
 
-  void StartAt(const Pose& pose);
-  Point TailAt(const Pose& pose) const;
+  void StartAt(const RobotPose& pose);
+  Point TailAt(const RobotPose& pose) const;
   bool Move(double speed_m_per_s, double turn_rad_per_s, EnvStep& step);
   bool CableTouchesObstacle() const;
   bool CableIsUnderRobot() const;
   double FollowReference();
 
   std::shared_ptr<const Setup> setup_;  ///< Shared, so that copies for trials are cheap; it never changes.
-  Pose pose_;
+  RobotPose pose_;
   CableChain cable_;
   std::vector<std::uint8_t> passed_;  ///< By way-point.
   int steps_ = 0;

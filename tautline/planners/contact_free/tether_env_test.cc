@@ -141,7 +141,7 @@ TEST(TetherEnv, TheSeedMovesTheStartWhereAskedTo) {
   EXPECT_EQ(still.pose().at, (Point{3.4, 4.5}));
   TetherEnv noisy = MakeEnv(room, task, {.start_noise_m = 0.5, .heading_noise_rad = 1});
   noisy.Reset(7);
-  const Pose first = noisy.pose();
+  const RobotPose first = noisy.pose();
   EXPECT_NE(first.at, (Point{3.4, 4.5}));
   noisy.Reset(8);
   EXPECT_NE(first.at, noisy.pose().at);
@@ -187,7 +187,7 @@ struct SlowEnv {
 
   std::vector<Box> boxes;
   TetherTask task;
-  Pose pose;
+  RobotPose pose;
   CableChain chain;
   std::vector<bool> passed;
 
@@ -219,8 +219,9 @@ struct SlowEnv {
   EnvStep Step(double v, double w) {
     EnvStep step;
     step.reward = -0.001 + (v == 0 && w != 0 ? -0.1 : 0);
-    const Pose to{{pose.at.x + v * std::cos(pose.heading_rad) * 0.1, pose.at.y + v * std::sin(pose.heading_rad) * 0.1},
-                  std::remainder(pose.heading_rad + w * 0.1, 2 * std::numbers::pi)};
+    const RobotPose to{
+        {pose.at.x + v * std::cos(pose.heading_rad) * 0.1, pose.at.y + v * std::sin(pose.heading_rad) * 0.1},
+        std::remainder(pose.heading_rad + w * 0.1, 2 * std::numbers::pi)};
     step.robot_obstacle = Hits(to.at);
     if (step.robot_obstacle) {
       step.reward -= 1;

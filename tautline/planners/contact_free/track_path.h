@@ -39,7 +39,7 @@ struct TrackResult {
   int cable_obstacle_steps = 0;        ///< After which the cable touched an obstacle.
   int cable_robot_steps = 0;           ///< After which the robot stood on its cable.
   double reward = 0;                   ///< The sum of the environment's rewards.
-  std::vector<Pose> trace;             ///< The robot at the start and after each step.
+  std::vector<RobotPose> trace;        ///< The robot at the start and after each step.
   std::vector<DriveCommand> commands;  ///< Of each step.
   std::vector<Polyline> cables;        ///< With TrackPathOptions::cable_every: base first, first the one at the start.
 

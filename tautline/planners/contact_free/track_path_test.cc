@@ -23,7 +23,7 @@ double DistanceTo(const Polyline& path, Point p) {
 }
 
 /// Drives without an environment, as a unicycle does [Shimada2024, Eq. 5].
-Polyline DriveFreely(const Polyline& path, Pose pose, double lookahead_m, int steps) {
+Polyline DriveFreely(const Polyline& path, RobotPose pose, double lookahead_m, int steps) {
   PurePursuit pursuit(path);
   Polyline driven{pose.at};
   for (int i = 0; i < steps; ++i) {
@@ -114,7 +114,7 @@ TEST(TrackPath, DrivesTautPathsToTheirGoals) {
       EXPECT_EQ(result.trace.size(), static_cast<std::size_t>(result.steps) + 1);
       EXPECT_NEAR(result.time_s, 0.1 * result.steps, 1e-9);
       Polyline driven;
-      for (const Pose& pose : result.trace) {
+      for (const RobotPose& pose : result.trace) {
         EXPECT_LE(DistanceTo(path.points, pose.at), 0.5);
         driven.push_back(pose.at);
       }
