@@ -38,7 +38,19 @@ function(tautline_library)
 
   list(TRANSFORM arg_DEPENDS PREPEND tautline::)
   target_link_libraries(${target} ${scope} ${arg_DEPENDS} ${arg_LINK})
-  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}" FILES ${arg_HEADERS})
+  # Sources include their own header first, as the format has it, which shows that it compiles on its own. The test
+  # `headers` compiles the others.
+  set(alone ${arg_HEADERS})
+  set(shown ${arg_SOURCES})
+  list(TRANSFORM shown REPLACE "\\.cc$" ".h")
+  list(REMOVE_ITEM alone ${shown})
+  set(shown ${arg_HEADERS})
+  list(REMOVE_ITEM shown ${alone})
+  target_sources(
+    ${target} ${scope}
+    FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}" FILES ${shown}
+    FILE_SET alone TYPE HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}" FILES ${alone})
+  set_target_properties(${target} PROPERTIES INTERFACE_HEADER_SETS_TO_VERIFY alone)
   target_compile_features(${target} ${scope} cxx_std_20)
   # Fused multiply-add changes the sign of predicates, also of those inlined into a user's code.
   target_compile_options(${target} ${scope} -ffp-contract=off)
@@ -54,7 +66,8 @@ function(tautline_library)
     TARGETS ${target}
     EXPORT ${export}
     ARCHIVE COMPONENT development
-    FILE_SET HEADERS COMPONENT development)
+    FILE_SET HEADERS COMPONENT development
+    FILE_SET alone COMPONENT development)
 endfunction()
 
 # tautline_test(NAME geometry_test SOURCES polygon_test.cc ... LINK tautline::geometry ...)
