@@ -23,7 +23,8 @@ Expected<void> MakeFolder(const std::string& path) {
 
 Expected<std::string> TrainingFolder::Open(const std::string& path, const std::string& options, bool resume) {
   const std::string file = path + "/" + kOptions;
-  if (std::filesystem::exists(file)) {
+  std::error_code fault;  // What cannot be looked at cannot be written either, and that says why.
+  if (std::filesystem::exists(file, fault)) {
     if (!resume) return InvalidInput("holds a training; give --resume to go on with it, or another folder", path);
     const auto kept = ReadTextFile(file, kMostBytes);
     if (!kept) return tl::unexpected(kept.error());
@@ -35,8 +36,7 @@ Expected<std::string> TrainingFolder::Open(const std::string& path, const std::s
     }
     return path;
   }
-  std::error_code fault;
-  if (std::filesystem::exists(path) && !std::filesystem::is_empty(path, fault)) {
+  if (std::filesystem::exists(path, fault) && !std::filesystem::is_empty(path, fault) && !fault) {
     return InvalidInput("is no training and not empty; give a folder that is new or empty", path);
   }
   if (const auto made = MakeFolder(path); !made) return tl::unexpected(made.error());
@@ -62,7 +62,8 @@ Expected<void> TrainingFolder::Write(const std::vector<File>& files) {
 
 Expected<std::optional<std::string>> TrainingFolder::Checkpoint(std::uint64_t seed) const {
   const std::string path = PathOf(Of(seed, "checkpoint"));
-  if (!std::filesystem::exists(path)) return std::optional<std::string>();
+  std::error_code fault;
+  if (!std::filesystem::exists(path, fault)) return std::optional<std::string>();
   auto bytes = ReadTextFile(path, kMostBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   return std::optional<std::string>(*std::move(bytes));
