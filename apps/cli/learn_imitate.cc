@@ -12,13 +12,13 @@
 #include "apps/cli/option_checks.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/progress_bar.h"
+#include "apps/cli/read_driver_network.h"
 #include "tautline/network/onnx_file.h"
 #include "tautline/planners/contact_free/homotopic_dijkstra.h"
 #include "tautline/planners/contact_free/imitation.h"
 #include "tautline/planners/contact_free/select_reference.h"
 #include "tautline/planners/contact_free/track_path.h"
 #include "tautline/scene/number_text.h"
-#include "tautline/scene/text_file.h"
 
 namespace tautline::cli {
 namespace {
@@ -30,7 +30,6 @@ constexpr std::uint64_t kRound = 10'000'000;
 /// So that no course is taught twice, and none that is tested on.
 constexpr int kMostCourses = static_cast<int>(kRound);
 constexpr int kMostRounds = static_cast<int>(kUnseen / kRound) - 1;
-constexpr std::size_t kMostPolicyBytes = std::size_t{1} << 26;
 
 struct LearnImitateCommand {
   CommonOptions common;  ///< There is no scene.
@@ -180,14 +179,6 @@ std::string Line(const char* name, const Drives& drives) {
                      drives.PerMinute(drives.cable_robot));
 }
 
-Expected<Mlp> ReadPolicy(const std::string& path, const Kernels& kernels) {
-  const auto text = ReadTextFile(path, kMostPolicyBytes);
-  if (!text) return tl::unexpected(text.error());
-  const auto policy = DriverPolicy::Read(*text, path, kernels);
-  if (!policy) return tl::unexpected(policy.error());
-  return policy->network();
-}
-
 /// The policy as a file, which says how it was taught.
 std::string PolicyFile(const LearnImitateCommand& command, const Mlp& network, const Kernels& kernels) {
   const Json options{{"courses", command.courses},
@@ -216,8 +207,7 @@ Expected<int> RunLearnImitate(const LearnImitateCommand& command) {
   }
   if (auto tried = TryToWrite(command.common.policy); !tried) return tl::unexpected(tried.error());
   ProgressBar progress(!command.common.quiet);
-  const auto network =
-      command.policy.empty() ? Teach(command, *kernels, progress) : ReadPolicy(command.policy, *kernels);
+  const auto network = command.policy.empty() ? Teach(command, *kernels, progress) : ReadDriverNetwork(command.policy);
   if (!network) return tl::unexpected(network.error());
   const CourseTest test = TestUnseen(command, *network, *kernels, progress);
   progress.Clear();
