@@ -107,7 +107,13 @@ class Learn(Refusals, unittest.TestCase):
             while process.poll() is None and not (self.folder / "killed/seed-1/checkpoint").exists():
                 pass
             process.kill()
+        # Killed while it writes, it leaves a part of a file behind. What others put there is theirs.
+        left, other = self.folder / "killed/seed-1/checkpoint.Ab3xYz", self.folder / "killed/seed-1/mine.Ab3xYz"
+        for file in left, other:
+            file.write_text("half")
         resumed = self.train("killed", "--resume")
+        self.assertFalse(left.exists())
+        other.unlink()
         whole = self.train("whole")
         self.assertEqual(resumed.returncode, whole.returncode, resumed.stderr)
         self.expect_same("killed", "whole")

@@ -152,8 +152,9 @@ Expected<Mlp> Teach(const LearnImitateCommand& command, const Kernels& kernels, 
     if (network) policy.emplace(*network, kernels);
     options.policy = policy ? &*policy : nullptr;
     all.Append(Collect(command, round, options, progress));
-    if (all.size() == 0)
-      return InvalidInput("no course of these seeds has a motion to learn from; give more --courses");
+    if (all.size() == 0) {
+      return InvalidInput("no course of these seeds has a motion to learn from; give more", "--courses");
+    }
     ImitationOptions imitation = command.imitation;
     imitation.seed = command.common.seed;
     imitation.progress = [&](int epoch, double loss) {

@@ -1,6 +1,7 @@
 #include "apps/cli/training_folder.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "apps/cli/output_file.h"
@@ -11,6 +12,30 @@ namespace {
 
 constexpr char kOptions[] = "options.json";
 constexpr std::size_t kMostBytes = std::size_t{1} << 32;
+
+/// What a training writes, in its folder or in those of its seeds.
+constexpr std::array<std::string_view, 10> kFiles{kOptions,          "policy.onnx", "result.json", "curves.svg",
+                                                  "visits.svg",      "path.svg",    "checkpoint",  "episodes.csv",
+                                                  "evaluations.csv", "visits.csv"};
+
+/// Whether a name is that of the temporary file of one of these: "checkpoint.Ab3xYz".
+bool IsTemporary(std::string_view name) {
+  constexpr std::size_t kEnding = 7;
+  if (name.size() <= kEnding || name[name.size() - kEnding] != '.') return false;
+  return std::find(kFiles.begin(), kFiles.end(), name.substr(0, name.size() - kEnding)) != kFiles.end();
+}
+
+/// Removes the temporary files that a training left behind when it was killed.
+void RemoveTemporaries(const std::string& path) {
+  std::vector<std::filesystem::path> left;
+  std::error_code fault;
+  for (std::filesystem::recursive_directory_iterator at(path, fault), end; !fault && at != end; at.increment(fault)) {
+    if (at.depth() < 2 && at->is_regular_file(fault) && IsTemporary(at->path().filename().string())) {
+      left.push_back(at->path());
+    }
+  }
+  for (const auto& file : left) std::filesystem::remove(file, fault);
+}
 
 Expected<void> MakeFolder(const std::string& path) {
   std::error_code fault;
@@ -34,6 +59,7 @@ Expected<std::string> TrainingFolder::Open(const std::string& path, const std::s
           "another folder",
           file);
     }
+    RemoveTemporaries(path);
     return path;
   }
   if (std::filesystem::exists(path, fault) && !std::filesystem::is_empty(path, fault) && !fault) {
