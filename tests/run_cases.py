@@ -199,6 +199,18 @@ def reference_difference(got, want, tolerance):
     return class_difference(got["classes"], want, tolerance)
 
 
+def drive_of_policy_difference(got, want, tolerance):
+    """The first way in which a policy's drive differs from what is expected, or None."""
+    for key in ("status", "reason", "success", "cable_robot_steps", "cable_obstacle_steps"):
+        if key in want and got.get(key) != want[key]:
+            return f"{key} {got.get(key)}, wanted {want[key]}"
+    found = {"length": got.get("length"), "time": got.get("time"), "reference": got.get("reference", {}).get("length")}
+    for key, value in found.items():
+        if key in want and not all_close(value, want[key], tolerance):
+            return f"{key} {value}, wanted {want[key]}"
+    return None
+
+
 def difference(got, want, tolerance):
     """The first way in which an answer differs from what is expected, or None."""
     if got["command"] == "fleet plan":
@@ -213,6 +225,8 @@ def difference(got, want, tolerance):
         return manifold_difference(got, want, tolerance)
     if got["command"] == "reach":
         return reach_difference(got, want, tolerance)
+    if got["command"] == "learn evaluate":
+        return drive_of_policy_difference(got, want, tolerance)
     if "classes" in got:
         return class_difference(got["classes"], want, tolerance)
     for key in ("status", "reason", "word", "homology"):

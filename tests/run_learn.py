@@ -4,6 +4,7 @@
 run_learn.py PROGRAM"""
 import json
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -38,6 +39,15 @@ class Learn(Refusals, unittest.TestCase):
     def evaluate(self, policy, *options):
         return subprocess.run([PROGRAM, "learn", "evaluate", SCENE, "--policy", str(policy), *options], text=True,
                               capture_output=True, timeout=TIMEOUT_S)
+
+    def compare(self, *options, scenes=(SCENE,)):
+        return subprocess.run([PROGRAM, "learn", "compare", *scenes, "--steps", "1000", "--seeds", "1", "--kernels",
+                               "portable", *map(str, options)], text=True, capture_output=True, timeout=TIMEOUT_S)
+
+    def imitate(self, *options, **how):
+        return subprocess.run([PROGRAM, "learn", "imitate", "--courses", "1", "--rounds", "0", "--epochs", "1",
+                               "--test", "1", "--kernels", "portable", *map(str, options)], text=True,
+                              timeout=TIMEOUT_S, **{"capture_output": True, **how})
 
     def bytes_of(self, out):
         folder = self.folder / out
@@ -97,7 +107,13 @@ class Learn(Refusals, unittest.TestCase):
             while process.poll() is None and not (self.folder / "killed/seed-1/checkpoint").exists():
                 pass
             process.kill()
+        # Killed while it writes, it leaves a part of a file behind. What others put there is theirs.
+        left, other = self.folder / "killed/seed-1/checkpoint.Ab3xYz", self.folder / "killed/seed-1/mine.Ab3xYz"
+        for file in left, other:
+            file.write_text("half")
         resumed = self.train("killed", "--resume")
+        self.assertFalse(left.exists())
+        other.unlink()
         whole = self.train("whole")
         self.assertEqual(resumed.returncode, whole.returncode, resumed.stderr)
         self.expect_same("killed", "whole")
@@ -126,6 +142,69 @@ class Learn(Refusals, unittest.TestCase):
         self.expect_refused(self.train("a", "--resume"), "checkpoint")
         self.expect_refused(self.evaluate(SCENE), "no whole ONNX file")
         self.expect_refused(self.evaluate(self.folder / "none.onnx"), "none.onnx")
+
+    def test_numbers_and_names_that_cannot_be_are_refused(self):
+        self.expect_refused(self.train("b", "--reward-goal", "nan"), "rewards")
+        self.expect_refused(self.train("b", "--deviation-from", "inf"), "rewards")
+        endless = [PROGRAM, "learn", "train", SCENE, "--out", str(self.folder / "b"), "--max-steps", "1000001"]
+        self.expect_refused(subprocess.run(endless, text=True, capture_output=True, timeout=TIMEOUT_S), "1000000 steps")
+        long = "a" * 300
+        self.expect_refused(self.train(long), "cannot be made")
+        self.expect_refused(self.compare("--checkpoint", self.folder / long), "cannot be written")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_imitation_writes_its_policy_and_nothing_else(self):
+        policy = self.folder / "policy.onnx"
+        answer = json.loads(self.imitate("--out", policy, "--json").stdout)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["policy.onnx"])
+        # The file says how it was taught, and drives as the policy in memory did.
+        options = re.search(rb'{"courses".*?}', policy.read_bytes()).group()
+        self.assertEqual(json.loads(options), {"courses": 1, "rounds": 0, "recoveries": 3, "epochs": 1, "seed": 1})
+        self.assertEqual(json.loads(self.imitate("--policy", policy, "--json").stdout), answer)
+        self.assertEqual(self.imitate("--policy", policy, "--quiet").stdout, "")
+
+    def test_imitation_on_a_full_disk(self):
+        with open("/dev/full", "w") as full:
+            done = self.imitate("--out", self.folder / "policy.onnx", stdout=full, stderr=subprocess.PIPE,
+                                capture_output=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("standard output", done.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_imitation_refuses_wrong_calls(self):
+        self.expect_refused(self.imitate(), "--out", "--policy")
+        self.expect_refused(self.imitate("--policy", SCENE), "no whole ONNX file")
+        self.expect_refused(self.imitate("--policy", ROOT / "scenes/quiet_room.onnx"), "no policy for all maps")
+        # The courses of round 100 would be those of the test.
+        words = [PROGRAM, "learn", "imitate", "--rounds", "100", "--out", str(self.folder / "p")]
+        self.expect_refused(subprocess.run(words, text=True, capture_output=True, timeout=TIMEOUT_S), "--rounds")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_comparison_refuses_wrong_calls(self):
+        self.expect_refused(self.compare("--penalty", "nan", "--penalty-groups", "quiet_room"), "--penalty", "finite")
+        self.expect_refused(self.compare("--penalty", "-1"), "--penalty-groups")
+        self.expect_refused(self.compare("--penalty", "-1", "--penalty-groups", "room"), "room")
+        self.expect_refused(self.compare("--ablation-groups", "room"), "--ablation-groups", "room")
+        self.expect_refused(self.compare(scenes=[SCENE, SCENE]), "quiet_room", "twice")
+        policy = self.folder / "policy.onnx"
+        shutil.copy(ROOT / "scenes/contact_free/general.onnx", policy)
+        kept = policy.read_bytes()
+        self.expect_refused(self.compare("--general", policy, "--svg", policy), "would replace the input")
+        self.assertEqual(policy.read_bytes(), kept)
+
+    def test_a_comparison_goes_on_only_with_the_same_scene_and_seed(self):
+        scene, checkpoint = self.folder / "room.yaml", self.folder / "jobs.json"
+        text = pathlib.Path(SCENE).read_text()
+        scene.write_text(text)
+        first = self.compare("--checkpoint", checkpoint, scenes=[str(scene)])
+        self.assertEqual(first.returncode, 0, first.stderr)
+        self.assertEqual(self.compare("--checkpoint", checkpoint, scenes=[str(scene)]).stdout, first.stdout)
+        for change in (("length: 12", "length: 13"), ("radius: 0.3", "radius: 0.25"), ("heading: 1.2", "heading: 1")):
+            self.assertIn(change[0], text)
+            scene.write_text(text.replace(*change))
+            self.expect_refused(self.compare("--checkpoint", checkpoint, scenes=[str(scene)]), "jobs.json")
+        seeds = json.loads(self.compare("--seed", 2**40, "--json").stdout)["jobs"]
+        self.assertEqual({path["seed"] for job in seeds for path in job["paths"]}, {0, 2**40})
 
     def test_a_goal_out_of_reach_is_told(self):
         scene = self.folder / "short.yaml"

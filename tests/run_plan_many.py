@@ -237,6 +237,8 @@ class Prepared(Many):
         bytes_ = kept.read_bytes()
         self.expect_refused(call("plan", OFFICE, "--prepared", kept), f"{kept}: the prepared map was made for another")
         self.expect_refused(call("reach", ROOM, "--prepared", ROOM), f"{ROOM}: not a prepared map")
+        self.expect_refused(call("plan", ROOM, "--contact-free", "--prepared", kept), "--prepared")
+        self.expect_refused(call("plan", ROOM, "--contact-free", "--save-prepared", kept), "--save-prepared")
         self.expect_refused(call("classes", ROOM, "--prepared", self.folder / "none"), "none: no such file")
         kept.write_bytes(bytes_[:-20])
         self.expect_refused(call("plan", ROOM, "--prepared", kept), f"{kept}: the prepared map is damaged")

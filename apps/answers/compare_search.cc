@@ -12,7 +12,6 @@
 #include "tautline/planners/contact_free/plan_contact_free.h"
 #include "tautline/planners/contact_free/policy_run.h"
 #include "tautline/planners/contact_free/track_path.h"
-#include "tautline/scene/world_digest.h"
 
 namespace tautline {
 namespace {
@@ -35,7 +34,7 @@ std::vector<CompareJob> JobsOf(const CompareQuestion& question) {
     const double usual = question.learn.env.reward.cable_robot;
     jobs.push_back({.scene = scene, .learn = false});
     for (int k = 0; k < question.seeds; ++k) {
-      const int seed = static_cast<int>(question.learn.training.seed) + k;
+      const std::uint64_t seed = question.learn.training.seed + static_cast<std::uint64_t>(k);
       jobs.push_back({.scene = scene, .seed = seed, .cable_robot = usual, .baselines = true});
       if (Has(question.penalty_groups, group)) {
         for (const double other : question.penalties) {
@@ -99,14 +98,11 @@ class CompareWorker {
 
   void Learn() {
     TrainingOptions training = question_.learn.training;
-    training.seed = static_cast<std::uint64_t>(job_.seed);
+    training.seed = job_.seed;
     TrainingRun run(*setup_.env, training, *question_.kernels);
     while (!run.done()) run.RunEpisode();
     const PolicyRun drive = RunPolicy(*setup_.env, run.best(), *question_.kernels, true);
-    Polyline path;
-    for (const EnvFrame& frame : drive.frames) {
-      if (path.empty() || path.back() != frame.pose.at) path.push_back(frame.pose.at);
-    }
+    const Polyline path = drive.Path();
     Add("learned", drive.totals.success, path);
     if (job_.baselines) AddBaselines(drive.totals.success ? path : setup_.selection.reference->path);
   }
@@ -203,7 +199,7 @@ ComparedPath PathOf(const Json& json) {
   ComparedPath path{.scene = json.at("scene").get<std::string>(),
                     .group = json.at("group").get<std::string>(),
                     .method = json.at("method").get<std::string>(),
-                    .seed = json.at("seed").get<int>(),
+                    .seed = json.at("seed").get<std::uint64_t>(),
                     .kernels = json.at("kernels").get<std::string>(),
                     .cable_robot = json.at("reward_cable_robot").get<double>(),
                     .reference = json.at("reference").get<bool>(),
@@ -219,12 +215,40 @@ ComparedPath PathOf(const Json& json) {
   return path;
 }
 
+/// That every group that is named has a scene.
+Expected<void> CheckGroups(const CompareQuestion& question, const std::vector<std::string>& groups,
+                           const char* option) {
+  for (const std::string& group : groups) {
+    const bool has = std::any_of(question.scenes.begin(), question.scenes.end(),
+                                 [&](const ComparedScene& scene) { return scene.group == group; });
+    if (!has) return InvalidInput("no scene has this name, with or without a number: " + group, option);
+  }
+  return {};
+}
+
+/// What can be seen to be wrong before any scene is set up.
+Expected<void> CheckQuestion(const CompareQuestion& question) {
+  if (question.scenes.empty()) return InvalidInput("no scene is given: name one or more");
+  for (auto scene = question.scenes.begin(); scene != question.scenes.end(); ++scene) {
+    const bool twice = std::any_of(question.scenes.begin(), scene,
+                                   [&](const ComparedScene& other) { return other.name == scene->name; });
+    if (twice) return InvalidInput("is given twice, or another scene has this name", scene->name);
+  }
+  for (const double penalty : question.penalties) {
+    if (!std::isfinite(penalty)) return InvalidInput("rewards must be finite", "--penalty");
+  }
+  if (auto known = CheckGroups(question, question.penalty_groups, "--penalty-groups"); !known) return known;
+  return CheckGroups(question, question.ablation_groups, "--ablation-groups");
+}
+
 /// What tells one comparison from another: scenes, constants, the network of the policy. Not the kernels: a comparison
 /// may be finished, or its tables printed again, on another processor; each path says which ones it was learned with.
 Json SearchJson(const CompareQuestion& question) {
   Json scenes = Json::array();
   for (const ComparedScene& scene : question.scenes) {
-    scenes.push_back({scene.name, WorldDigest(scene.scene.world), scene.scene.goal->x, scene.scene.goal->y});
+    Json& json = scenes.emplace_back(Json{{"name", scene.name}});
+    json.update(TaskJson(scene.scene));
+    if (scene.scene.robot.radius) json["robot_radius"] = *scene.scene.robot.radius;
   }
   double general = 0;
   if (question.general) {
@@ -256,7 +280,7 @@ std::string GroupOf(const std::string& name) {
 CompareDone CompareSearch::Run(std::size_t job) const { return {job, CompareWorker(*this, jobs[job]).Run()}; }
 
 Expected<CompareSearch> PrepareCompare(CompareQuestion question) {
-  if (question.scenes.empty()) return InvalidInput("no scene is given: name one or more");
+  if (auto checked = CheckQuestion(question); !checked) return tl::unexpected(checked.error());
   for (const ComparedScene& scene : question.scenes) {
     const auto setup = SetUpLearning(scene.scene, EnvFor(question, scene.scene));
     if (!setup) return tl::unexpected(setup.error());

@@ -2,6 +2,7 @@
 #ifndef APPS_ANSWERS_COMPARE_SEARCH_H_
 #define APPS_ANSWERS_COMPARE_SEARCH_H_
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,7 +45,7 @@ struct ComparedPath {
   std::string scene;
   std::string group;
   std::string method;         ///< "learned", "dijkstra", "voronoi", "search" or "general".
-  int seed = 0;               ///< Of the training; 0 where there is none.
+  std::uint64_t seed = 0;     ///< Of the training; 0 where there is none.
   std::string kernels;        ///< With which the network was computed, where there is one.
   double cable_robot = 0;     ///< The reward for standing on the cable that it was trained with.
   bool reference = true;      ///< It was trained with the reference path.
@@ -71,7 +72,7 @@ struct CompareDone {
 struct CompareJob {
   std::size_t scene = 0;
   bool learn = true;
-  int seed = 0;
+  std::uint64_t seed = 0;
   double cable_robot = 0;
   bool reference = true;
   bool baselines = false;
@@ -87,7 +88,8 @@ struct CompareSearch {
   CompareDone Run(std::size_t job) const;
 };
 
-/// Errors: as SetUpLearning for any of the scenes, or one in which there is no reference path; no scene.
+/// Errors: as SetUpLearning for any of the scenes, or one in which there is no reference path; no scene, or two of one
+/// name; a reward that is not finite; a group of which there is no scene.
 [[nodiscard]] Expected<CompareSearch> PrepareCompare(CompareQuestion question);
 
 /// A part: finished jobs with what they belong to, sorted.

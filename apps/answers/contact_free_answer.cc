@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "apps/answers/verification.h"
+#include "tautline/planners/contact_free/motion_faults.h"
+
 namespace tautline {
 namespace {
 
@@ -66,7 +69,7 @@ void AddMotion(const Scene& scene, const ContactFreeResult& result, const JsonVa
 
 }  // namespace
 
-Expected<ContactFreeAnswer> AnswerContactFree(const Scene& scene, const ContactFreeOptions& options) {
+Expected<ContactFreeAnswer> AnswerContactFree(const Scene& scene, const ContactFreeOptions& options, bool verify) {
   auto result = PlanContactFree(scene, options);
   if (!result) return tl::unexpected(result.error());
   const auto space = BuildFreeSpace(scene.world);
@@ -81,6 +84,10 @@ Expected<ContactFreeAnswer> AnswerContactFree(const Scene& scene, const ContactF
     json["reason"] = answer.result.reason;
     json["explanation"] = answer.result.explanation;
     answer.status = kExitInfeasible;
+  }
+  if (MustVerify(verify) && answer.result.status == ContactFreeStatus::kSolved) {
+    ReportVerification(MotionFaults(scene, answer.result, options.costs), 1, json);
+    answer.verified = true;
   }
   return answer;
 }

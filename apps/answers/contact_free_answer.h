@@ -14,10 +14,13 @@ struct ContactFreeAnswer {  // NOLINT(bugprone-exception-escape): the JSON libra
   ContactFreeResult result;
   Json json;                        ///< The result as docs/contact_free.md describes it.
   ExitStatus status = kExitSolved;  ///< kExitInfeasible too where the budget ran out.
+  bool verified = false;            ///< The motion was driven again.
 };
 
-/// Plans. Errors: as PlanContactFree.
-[[nodiscard]] Expected<ContactFreeAnswer> AnswerContactFree(const Scene& scene, const ContactFreeOptions& options);
+/// Plans; `verify`: and drives the motion again. Errors: as PlanContactFree. Throws std::logic_error where the answer
+/// fails verification.
+[[nodiscard]] Expected<ContactFreeAnswer> AnswerContactFree(const Scene& scene, const ContactFreeOptions& options,
+                                                            bool verify = false);
 
 }  // namespace tautline
 

@@ -15,15 +15,6 @@ std::string Explain(const EpisodeTotals& totals) {
                     : "the policy does not bring the robot to the goal within " + when;
 }
 
-/// The robot's places, without those at which it only turns.
-Polyline PathOf(const PolicyRun& run) {
-  Polyline path;
-  for (const EnvFrame& frame : run.frames) {
-    if (path.empty() || path.back() != frame.pose.at) path.push_back(frame.pose.at);
-  }
-  return path;
-}
-
 void AddReference(const JsonValues& values, const ReferencePath& reference, Json& json) {
   Json& item = json["reference"];
   item["path"] = values.Of(reference.path);
@@ -66,7 +57,7 @@ LearnAnswer AnswerOf(const std::string& command, const LearnSetup& setup, Policy
     json["explanation"] = answer.explanation;
   }
   json["success"] = totals.success;
-  json["path"] = values.Of(PathOf(answer.run));
+  json["path"] = values.Of(answer.run.Path());
   json["length"] = totals.length_m;
   json["time"] = totals.steps * dt_s;
   json["return"] = totals.reward;

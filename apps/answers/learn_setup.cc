@@ -1,6 +1,9 @@
 #include "apps/answers/learn_setup.h"
 
+#include <cstdio>
 #include <utility>
+
+#include "tautline/scene/world_digest.h"
 
 namespace tautline {
 namespace {
@@ -8,9 +11,15 @@ namespace {
 /// Of the grid that answers what is far from obstacles.
 constexpr double kContactCell = 0.125;
 
+/// A policy that gets nowhere plays its episode to the end, and each step is kept for the answer.
+constexpr int kMostSteps = 1'000'000;
+
 }  // namespace
 
 Expected<LearnSetup> SetUpLearning(const Scene& scene, const TetherEnvOptions& options, const Watcher& watch) {
+  if (options.max_steps > kMostSteps) {
+    return InvalidInput("an episode has at most " + std::to_string(kMostSteps) + " steps", "--max-steps");
+  }
   auto task = TaskOf(scene);
   if (!task) return tl::unexpected(task.error());
   auto space = BuildFreeSpace(scene.world);
@@ -27,6 +36,20 @@ Expected<LearnSetup> SetUpLearning(const Scene& scene, const TetherEnvOptions& o
   if (!env) return tl::unexpected(env.error());
   setup.env = std::make_unique<const TetherEnv>(*std::move(env));
   return setup;
+}
+
+Json TaskJson(const Scene& scene) {
+  char digest[17];
+  std::snprintf(digest, sizeof digest, "%016llx", static_cast<unsigned long long>(WorldDigest(scene.world)));
+  Json json{{"scene", digest}};
+  if (scene.tether) {
+    json["base"] = {scene.tether->base.x, scene.tether->base.y};
+    json["cable_length"] = scene.tether->length;
+    for (const Point p : scene.tether->laid.value_or(Polyline())) json["laid"].push_back({p.x, p.y});
+  }
+  if (scene.goal) json["goal"] = {scene.goal->x, scene.goal->y};
+  if (scene.robot.heading) json["heading"] = *scene.robot.heading;
+  return json;
 }
 
 }  // namespace tautline

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "apps/answers/json_values.h"
 #include "tautline/base/error.h"
 #include "tautline/planners/contact_free/select_reference.h"
 #include "tautline/planners/contact_free/tether_env.h"
@@ -25,6 +26,9 @@ struct LearnSetup {
 /// BuildFreeSpace and PrepareRobotGround.
 [[nodiscard]] Expected<LearnSetup> SetUpLearning(const Scene& scene, const TetherEnvOptions& options,
                                                  const Watcher& watch = {});
+
+/// What tells one scene from another for a learner or a search: the world's digest, tether, goal and heading.
+Json TaskJson(const Scene& scene);
 
 }  // namespace tautline
 

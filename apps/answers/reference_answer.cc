@@ -1,5 +1,6 @@
 #include "apps/answers/reference_answer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -137,7 +138,7 @@ class ReferenceAsker {
       options.link_length_m = 2 * answer_.robot_radius_m;
       options.goal_radius_m = answer_.robot_radius_m;
       // Ten times as long as it takes without a turn, and a minute.
-      options.max_steps = 600 + static_cast<int>(100 * Length(*tracked.path));
+      options.max_steps = 600 + static_cast<int>(std::min(1e9, 100 * Length(*tracked.path)));
       auto env = TetherEnv::Create(map, task, options);
       if (!env) return InvalidInput(env.error().message, "--baselines");
       tracked.track = TrackPath(*std::move(env), *tracked.path, {.lookahead_m = question_.lookahead_m});

@@ -55,6 +55,7 @@ std::vector<std::pair<std::string, std::string>> OutputsOf(const CommonOptions& 
                                      {"--png", options.png},
                                      {"--csv", options.csv},
                                      {"--save-prepared", options.save_prepared},
+                                     {"--out", options.policy},
                                      {"--animate", options.animate}}) {
     if (!path.empty()) outputs.emplace_back(option, path);
   }
@@ -128,6 +129,9 @@ Expected<int> Deliver(const CommonOptions& options, const Answer& answer) {
   if (!options.save_prepared.empty()) {
     const auto added = files.Add(options.save_prepared, answer.prepared());
     if (!added) return tl::unexpected(added.error());
+  }
+  if (!options.policy.empty()) {
+    if (const auto added = files.Add(options.policy, answer.policy()); !added) return tl::unexpected(added.error());
   }
   if (!options.animate.empty()) {
     if (const auto added = files.Add(options.animate, answer.animate()); !added) return tl::unexpected(added.error());

@@ -26,6 +26,7 @@ struct CommonOptions {
   std::string prepared;       ///< A prepared map to read; commands that take one add the option.
   std::string csv;            ///< Where to write a table; commands that have one add the option.
   std::string save_prepared;  ///< Where to keep the preparation.
+  std::string policy;         ///< Where to write a policy; commands that teach one add the option --out.
   std::string animate;        ///< Where to draw the motion as a film; commands that have one add the option.
   double simplify = 0;
   int threads = 1;
@@ -49,6 +50,7 @@ struct Answer {
   std::function<std::string()> draw;           ///< The picture as SVG; called only where one is asked for.
   std::function<std::string()> csv = {};       ///< The table for --csv; called only where it is asked for.
   std::function<std::string()> prepared = {};  ///< The bytes for --save-prepared; called only where they are asked for.
+  std::function<std::string()> policy = {};    ///< The policy for --out; called only where it is asked for.
   std::function<std::string()> animate = {};   ///< The film for --animate as SVG; called only where it is asked for.
   int status = 0;
 };

@@ -75,7 +75,8 @@ struct KeptJobs {
 
   /// The jobs that a checkpoint holds; none where there is no such file yet.
   Expected<std::vector<Job>> ReadCheckpoint(const KeptJobsOptions& options) const {
-    if (options.checkpoint.empty() || !std::filesystem::exists(options.checkpoint)) return {};
+    std::error_code fault;  // What cannot be looked at cannot be written either, and that says why.
+    if (options.checkpoint.empty() || !std::filesystem::exists(options.checkpoint, fault)) return {};
     const auto text = ReadPartFile(options.checkpoint);
     if (!text) return tl::unexpected(text.error());
     auto jobs = read(*text, options.checkpoint);

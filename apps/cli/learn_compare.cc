@@ -13,9 +13,8 @@
 #include "apps/cli/learn_commands.h"
 #include "apps/cli/option_checks.h"
 #include "apps/cli/progress_bar.h"
+#include "apps/cli/read_driver_network.h"
 #include "tautline/draw/draw_comparison.h"
-#include "tautline/network/onnx_file.h"
-#include "tautline/planners/contact_free/driver_policy.h"
 #include "tautline/scene/check_tether.h"
 
 namespace tautline::cli {
@@ -29,9 +28,6 @@ struct LearnCompareCommand {
   std::string checkpoint;
   std::string kernels = "auto";
 };
-
-/// The networks of a file must be small; so must the file.
-constexpr std::size_t kMostPolicyBytes = std::size_t{1} << 26;
 
 Expected<void> ReadScenes(LearnCompareCommand& command) {
   std::vector<std::string> paths = {command.common.scene};
@@ -50,11 +46,10 @@ Expected<void> ReadScenes(LearnCompareCommand& command) {
 
 Expected<void> ReadGeneral(LearnCompareCommand& command) {
   if (command.general.empty()) return {};
-  const auto text = ReadTextFile(command.general, kMostPolicyBytes);
-  if (!text) return tl::unexpected(text.error());
-  const auto policy = DriverPolicy::Read(*text, command.general, PortableKernels());
-  if (!policy) return tl::unexpected(policy.error());
-  command.question.general = policy->network();
+  if (auto kept = KeepInput(command.common, command.general); !kept) return kept;
+  auto network = ReadDriverNetwork(command.general);
+  if (!network) return tl::unexpected(network.error());
+  command.question.general = *std::move(network);
   return {};
 }
 
@@ -65,7 +60,7 @@ std::string Draw(const CompareSearch& search, const std::vector<ComparedPath>& p
     ComparisonPanel panel{scene.name, &scene.scene, BuildFreeSpace(scene.scene.world).value(), {}};
     for (const ComparedPath& path : paths) {
       const bool usual = path.reference && path.cable_robot == search.question.learn.env.reward.cable_robot;
-      const bool first = path.seed == 0 || path.seed == static_cast<int>(search.question.learn.training.seed);
+      const bool first = path.seed == 0 || path.seed == search.question.learn.training.seed;
       if (path.scene == scene.name && usual && first && path.found) panel.paths.push_back({path.method, path.path});
     }
     panels.push_back(std::move(panel));
@@ -127,10 +122,12 @@ Run AddLearnCompare(CLI::App& learn) {
   sub->add_option("--steps", question.learn.training.dqn.steps, "of each training")
       ->check(AtLeastOne())
       ->capture_default_str();
-  sub->add_option("--penalty", question.penalties, "also with these rewards for standing on the cable")
-      ->type_name("REWARD");
-  sub->add_option("--penalty-groups", question.penalty_groups, "for scenes of these names, without their numbers")
-      ->type_name("NAME");
+  CLI::Option* penalty =
+      sub->add_option("--penalty", question.penalties, "also with these rewards for standing on the cable");
+  CLI::Option* groups =
+      sub->add_option("--penalty-groups", question.penalty_groups, "for scenes of these names, without their numbers");
+  penalty->type_name("REWARD")->needs(groups);
+  groups->type_name("NAME")->needs(penalty);
   sub->add_option("--ablation-groups", question.ablation_groups, "also without the reference path, for these scenes")
       ->type_name("NAME");
   sub->add_option("--general", command->general, "a policy for all maps, as `learn imitate` wrote it")

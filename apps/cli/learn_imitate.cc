@@ -1,24 +1,24 @@
 // `tautline learn imitate`: one policy for all maps, taught by the search.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
 #include <utility>
 
 #include "apps/answers/json_values.h"
 #include "apps/cli/common_options.h"
+#include "apps/cli/describe.h"
 #include "apps/cli/in_order.h"
 #include "apps/cli/learn_commands.h"
 #include "apps/cli/option_checks.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/progress_bar.h"
+#include "apps/cli/read_driver_network.h"
 #include "tautline/network/onnx_file.h"
 #include "tautline/planners/contact_free/homotopic_dijkstra.h"
 #include "tautline/planners/contact_free/imitation.h"
 #include "tautline/planners/contact_free/select_reference.h"
 #include "tautline/planners/contact_free/track_path.h"
 #include "tautline/scene/number_text.h"
-#include "tautline/scene/text_file.h"
 
 namespace tautline::cli {
 namespace {
@@ -27,10 +27,12 @@ namespace {
 constexpr std::uint64_t kUnseen = 1'000'000'000;
 /// Between the seeds of two rounds of teaching.
 constexpr std::uint64_t kRound = 10'000'000;
-constexpr std::size_t kMostPolicyBytes = std::size_t{1} << 26;
+/// So that no course is taught twice, and none that is tested on.
+constexpr int kMostCourses = static_cast<int>(kRound);
+constexpr int kMostRounds = static_cast<int>(kUnseen / kRound) - 1;
 
 struct LearnImitateCommand {
-  std::string out;
+  CommonOptions common;  ///< There is no scene.
   std::string policy;
   std::string kernels = "auto";
   int courses = 300;
@@ -38,10 +40,6 @@ struct LearnImitateCommand {
   int recoveries = 3;
   int test = 50;
   ImitationOptions imitation;
-  bool json = false;
-  bool quiet = false;
-  int threads = 1;
-  std::uint64_t seed = 1;
 };
 
 /// What the drives of one method over all courses come to.
@@ -108,11 +106,11 @@ CourseTest TestUnseen(const LearnImitateCommand& command, const Mlp& network, co
   CourseTest all;
   int tested = 0;
   // Some seeds have no course; the others are tested in their order.
-  const auto count = static_cast<std::size_t>(2 * command.test);
+  const std::size_t count = 2 * static_cast<std::size_t>(command.test);
   InOrder<std::optional<CourseTest>>::Run(
-      {.count = count, .threads = command.threads},
+      {.count = count, .threads = command.common.threads},
       [&](std::size_t i) -> std::optional<CourseTest> {
-        const auto course = CourseOf(kUnseen + command.seed + i, {});
+        const auto course = CourseOf(kUnseen + command.common.seed + i, {});
         if (!course) return std::nullopt;
         return TestOn(*course, network, kernels);
       },
@@ -132,9 +130,9 @@ Demonstrations Collect(const LearnImitateCommand& command, int round, const Coll
                        ProgressBar& progress) {
   Demonstrations all;
   const auto count = static_cast<std::size_t>(round == 0 ? command.courses : (command.courses + 1) / 2);
-  const std::uint64_t first = command.seed + static_cast<std::uint64_t>(round) * kRound;
+  const std::uint64_t first = command.common.seed + static_cast<std::uint64_t>(round) * kRound;
   InOrder<Demonstrations>::Run(
-      {.count = count, .threads = command.threads},
+      {.count = count, .threads = command.common.threads},
       [&](std::size_t i) { return CollectDemonstrations(first + i, options); },
       [&](std::size_t i, const Demonstrations& some) {
         all.Append(some);
@@ -154,10 +152,11 @@ Expected<Mlp> Teach(const LearnImitateCommand& command, const Kernels& kernels, 
     if (network) policy.emplace(*network, kernels);
     options.policy = policy ? &*policy : nullptr;
     all.Append(Collect(command, round, options, progress));
-    if (all.size() == 0)
-      return InvalidInput("no course of these seeds has a motion to learn from; give more --courses");
+    if (all.size() == 0) {
+      return InvalidInput("no course of these seeds has a motion to learn from; give more", "--courses");
+    }
     ImitationOptions imitation = command.imitation;
-    imitation.seed = command.seed;
+    imitation.seed = command.common.seed;
     imitation.progress = [&](int epoch, double loss) {
       progress.Tell(fmt::format("round {}: learning, loss {:.4f}", round, loss),
                     static_cast<double>(epoch) / imitation.epochs);
@@ -168,7 +167,7 @@ Expected<Mlp> Teach(const LearnImitateCommand& command, const Kernels& kernels, 
   return *network;
 }
 
-nlohmann::ordered_json ToJson(const Drives& drives) {
+Json ToJson(const Drives& drives) {
   return {{"courses", drives.count},
           {"success", drives.success},
           {"cable_obstacle_per_minute", drives.PerMinute(drives.cable_obstacle)},
@@ -181,12 +180,21 @@ std::string Line(const char* name, const Drives& drives) {
                      drives.PerMinute(drives.cable_robot));
 }
 
-Expected<Mlp> ReadPolicy(const std::string& path, const Kernels& kernels) {
-  const auto text = ReadTextFile(path, kMostPolicyBytes);
-  if (!text) return tl::unexpected(text.error());
-  const auto policy = DriverPolicy::Read(*text, path, kernels);
-  if (!policy) return tl::unexpected(policy.error());
-  return policy->network();
+/// The policy as a file, which says how it was taught.
+std::string PolicyFile(const LearnImitateCommand& command, const Mlp& network, const Kernels& kernels) {
+  const Json options{{"courses", command.courses},
+                     {"rounds", command.rounds},
+                     {"recoveries", command.recoveries},
+                     {"epochs", command.imitation.epochs},
+                     {"seed", command.common.seed}};
+  return WriteOnnx(
+      {network, {{"kernels", kernels.name}, {"kind", "policy for all maps"}, {"options", options.dump()}}});
+}
+
+/// That a file can be written, which is found out before the work, not after it.
+Expected<void> TryToWrite(const std::string& path) {
+  OutputFiles files;
+  return path.empty() ? Expected<void>() : files.Add(path, "");
 }
 
 Expected<int> RunLearnImitate(const LearnImitateCommand& command) {
@@ -195,35 +203,25 @@ Expected<int> RunLearnImitate(const LearnImitateCommand& command) {
     return InvalidInput("this processor, or this build, has no such kernels; give auto",
                         "--kernels " + command.kernels);
   }
-  if (command.out.empty() == command.policy.empty()) {
+  if (command.common.policy.empty() == command.policy.empty()) {
     return InvalidInput("give --out FILE to teach a policy, or --policy FILE to test one", "learn imitate");
   }
-  OutputFiles files;
-  // A file that cannot be written is found out before the work, not after it.
-  if (!command.out.empty()) {
-    if (auto added = files.Add(command.out, ""); !added) return tl::unexpected(added.error());
-  }
-  ProgressBar progress(!command.quiet);
-  const auto network =
-      command.policy.empty() ? Teach(command, *kernels, progress) : ReadPolicy(command.policy, *kernels);
+  if (auto tried = TryToWrite(command.common.policy); !tried) return tl::unexpected(tried.error());
+  ProgressBar progress(!command.common.quiet);
+  const auto network = command.policy.empty() ? Teach(command, *kernels, progress) : ReadDriverNetwork(command.policy);
   if (!network) return tl::unexpected(network.error());
   const CourseTest test = TestUnseen(command, *network, *kernels, progress);
   progress.Clear();
-  nlohmann::ordered_json json{{"command", "learn imitate"}, {"status", "solved"}, {"kernels", kernels->name}};
+  Json json{{"command", "learn imitate"}, {"status", "solved"}, {"kernels", kernels->name}};
   json["policy"] = ToJson(test.policy);
   json["search"] = ToJson(test.search);
   json["dijkstra"] = ToJson(test.dijkstra);
-  if (!command.out.empty()) {
-    OnnxModel model{*network, {{"kernels", kernels->name}, {"kind", "policy for all maps"}}};
-    OutputFiles out;
-    auto written = out.Add(command.out, WriteOnnx(model));
-    if (written) written = out.Commit();
-    if (!written) return tl::unexpected(written.error());
-  }
-  const std::string text = fmt::format("On {} maps never seen:\n", test.policy.count) + Line("policy", test.policy) +
-                           Line("search", test.search) + Line("Homotopic Dijkstra", test.dijkstra);
-  if (command.json || !command.quiet) fmt::print("{}", command.json ? json.dump() + "\n" : text);
-  return 0;
+  const std::string text =
+      fmt::format("On {} never seen:\n", Counted(static_cast<std::size_t>(test.policy.count), "map", "maps")) +
+      Line("policy", test.policy) + Line("search", test.search) + Line("Homotopic Dijkstra", test.dijkstra);
+  return Deliver(command.common, {.json = json, .text = text, .draw = {}, .policy = [&] {
+                                    return PolicyFile(command, *network, *kernels);
+                                  }});
 }
 
 }  // namespace
@@ -232,15 +230,17 @@ Run AddLearnImitate(CLI::App& learn) {
   const auto command = std::make_shared<LearnImitateCommand>();
   CLI::App* sub =
       learn.add_subcommand("imitate", "one policy for all maps, taught by the search and tested on new maps");
-  sub->add_option("--out", command->out, "the policy to write, an ONNX file")->type_name("FILE")->check(FileName());
+  sub->add_option("--out", command->common.policy, "the policy to write, an ONNX file")
+      ->type_name("FILE")
+      ->check(FileName());
   sub->add_option("--policy", command->policy, "instead of teaching: the policy to test")
       ->type_name("FILE")
       ->check(FileName());
   sub->add_option("--courses", command->courses, "random courses to learn from, and half as many in each further round")
-      ->check(AtLeastOne())
+      ->check(CLI::Range(1, kMostCourses))
       ->capture_default_str();
   sub->add_option("--rounds", command->rounds, "rounds in which the policy learns to get out of its own mistakes")
-      ->check(CLI::Range(0, 100))
+      ->check(CLI::Range(0, kMostRounds))
       ->capture_default_str();
   sub->add_option("--recoveries", command->recoveries, "of a course in such a round")
       ->check(AtLeastOne())
@@ -251,15 +251,15 @@ Run AddLearnImitate(CLI::App& learn) {
   sub->add_option("--test", command->test, "courses never seen to test the policy on")
       ->check(AtLeastOne())
       ->capture_default_str();
-  sub->add_option("--threads", command->threads, "the most threads to use; the answer does not depend on it")
+  sub->add_option("--threads", command->common.threads, "the most threads to use; the answer does not depend on it")
       ->check(AtLeastOne())
       ->capture_default_str();
-  sub->add_option("--seed", command->seed, "the seed of everything random")->capture_default_str();
+  sub->add_option("--seed", command->common.seed, "the seed of everything random")->capture_default_str();
   sub->add_option("--kernels", command->kernels, "the loops of the network; auto: the widest that the processor has")
       ->check(CLI::IsMember({"auto", "portable", "avx2", "avx512"}))
       ->capture_default_str();
-  sub->add_flag("--json", command->json, "print one JSON document and nothing else");
-  sub->add_flag("--quiet", command->quiet, "print nothing but errors");
+  sub->add_flag("--json", command->common.json, "print one JSON document and nothing else");
+  sub->add_flag("--quiet", command->common.quiet, "print nothing but errors");
   sub->footer(
       "Example:\n  tautline learn imitate --courses 20 --rounds 0 --test 10 --out policy.onnx\n"
       "Exit status: 0 solved, 2 bad input.");

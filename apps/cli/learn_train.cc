@@ -16,7 +16,6 @@
 #include "apps/cli/training_seeds.h"
 #include "apps/pictures/learn_pictures.h"
 #include "tautline/scene/number_text.h"
-#include "tautline/scene/world_digest.h"
 
 namespace tautline::cli {
 namespace {
@@ -85,14 +84,7 @@ std::string ToText(const LearnAnswer& answer, const std::string& out) {
 std::string OptionsText(const Scene& scene, const LearnTrainCommand& command, const Kernels& kernels) {
   Json json;
   json["command"] = "learn train";
-  json["scene"] = fmt::format("{:016x}", WorldDigest(scene.world));
-  if (scene.tether) {
-    json["base"] = {scene.tether->base.x, scene.tether->base.y};
-    json["cable_length"] = scene.tether->length;
-    for (const Point p : scene.tether->laid.value_or(Polyline())) json["laid"].push_back({p.x, p.y});
-  }
-  if (scene.goal) json["goal"] = {scene.goal->x, scene.goal->y};
-  if (scene.robot.heading) json["heading"] = *scene.robot.heading;
+  json.update(TaskJson(scene));
   json["seeds"] = command.seeds;
   json["kernels"] = kernels.name;
   json["options"] = ToJson(command.options);

@@ -113,6 +113,7 @@ Expected<void> OutputFiles::Add(const std::string& path, std::string_view bytes)
   const std::string target = FollowLinks(path);
   TAUTLINE_CHECK(files_.size() < kMost);
   PathBuffer& temporary = temporary_paths[files_.size()];
+  TAUTLINE_CHECK(temporary[0] == '\0');  // Else another object has a file there, which would be left behind.
   if (const int error = WriteTemporary(target, bytes, temporary); error != 0) {
     RemoveTemporary(temporary);
     return CannotWrite(path, error);

@@ -144,7 +144,7 @@ Run AddPlan(CLI::App& app) {
   const auto command = std::make_shared<PlanCommand>();
   CLI::App* sub = app.add_subcommand("plan", "the shortest motion of the tethered robot that its tether allows");
   AddCommonOptions(*sub, command->common);
-  AddPreparedOptions(*sub, command->common);
+  const PreparedOptions prepared = AddPreparedOptions(*sub, command->common);
   CLI::Option* all =
       sub->add_flag("--all", command->options.all, "also list every class of the goal that the tether allows");
   sub->add_option("--count", command->options.max_all, "with --all, at most so many, those with the shortest tethers")
@@ -174,6 +174,7 @@ Run AddPlan(CLI::App& app) {
   CLI::Option* contact_free = sub->add_flag("--contact-free", command->contact_free,
                                             "a robot with a body drags a cable, which is to touch nothing");
   contact_free->excludes(goals)->excludes(all)->excludes(crossing_free)->excludes(field);
+  contact_free->excludes(prepared.read)->excludes(prepared.write);
   AddContactFreeOptions(*sub, *contact_free, *command);
   sub->footer(
       "Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n"

@@ -7,13 +7,14 @@
 
 namespace tautline::cli {
 
-void AddPreparedOptions(CLI::App& command, CommonOptions& options) {
-  command.add_option("--prepared", options.prepared, "use the preparation of this world that --save-prepared wrote")
-      ->type_name("FILE")
-      ->check(FileName());
-  command.add_option("--save-prepared", options.save_prepared, "keep the preparation of this world in this file")
-      ->type_name("FILE")
-      ->check(FileName());
+PreparedOptions AddPreparedOptions(CLI::App& command, CommonOptions& options) {
+  CLI::Option* read = command.add_option("--prepared", options.prepared,
+                                         "use the preparation of this world that --save-prepared wrote");
+  read->type_name("FILE")->check(FileName());
+  CLI::Option* write =
+      command.add_option("--save-prepared", options.save_prepared, "keep the preparation of this world in this file");
+  write->type_name("FILE")->check(FileName());
+  return {read, write};
 }
 
 Expected<Preparation> ReadPreparation(const CommonOptions& options, ProgressBar& progress) {

@@ -10,8 +10,14 @@
 
 namespace tautline::cli {
 
-/// Adds --prepared and --save-prepared to a command.
-void AddPreparedOptions(CLI::App& command, CommonOptions& options);
+/// --prepared and --save-prepared of a command.
+struct PreparedOptions {
+  CLI::Option* read;
+  CLI::Option* write;
+};
+
+/// Adds both to a command.
+PreparedOptions AddPreparedOptions(CLI::App& command, CommonOptions& options);
 
 /// The preparation that the options ask for, which tells `progress` how far it is. Errors: the file cannot be read, or
 /// is larger than 1 GiB.

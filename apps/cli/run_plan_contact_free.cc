@@ -30,6 +30,7 @@ std::string ToText(const ContactFreeAnswer& answer, double dt_s) {
   }
   text += fmt::format("  cost     {:.4g}, and no motion costs less than {:.4g}\n", result.cost, result.bound);
   text += fmt::format("  shortest no way to the goal is shorter than {}\n", Metres(result.shortest_m));
+  if (answer.verified) text += "  verified the motion was driven again, with the same contacts and costs\n";
   return text;
 }
 
@@ -43,7 +44,7 @@ Expected<int> RunPlanContactFree(const PlanCommand& command) {
   ContactFreeOptions options = command.contact_free_options;
   options.budget = std::min(options.budget, command.options.budget);
   options.watch = progress.watcher();
-  const auto answer = AnswerContactFree(*scene, options);
+  const auto answer = AnswerContactFree(*scene, options, command.common.verify);
   progress.Clear();
   if (!answer) return tl::unexpected(answer.error());
   return Deliver(command.common, {.json = answer->json,

@@ -20,8 +20,9 @@ class TrainingFolder {
   /// A name within the folder, and bytes.
   using File = std::pair<std::string, std::string>;
 
-  /// Makes the folder, or goes on in it. `options` is kept in options.json and tells trainings apart. Errors: the
-  /// folder holds a training and `resume` is false, or one with other options; it cannot be made.
+  /// Makes the folder, or goes on in it; what a killed training left of half-written files is removed then. `options`
+  /// is kept in options.json and tells trainings apart. Errors: the folder holds a training and `resume` is false, or
+  /// one with other options; it cannot be made.
   [[nodiscard]] static Expected<std::string> Open(const std::string& path, const std::string& options, bool resume);
 
   /// At a path that Open accepted.

@@ -45,7 +45,10 @@ FigureContent ContentOf(const ContactFreePicture& picture, bool film) {
     if (!picture.explanation.empty()) none.notes.push_back(picture.explanation);
     return none;
   }
-  const int contacts = costs.cable_obstacle_steps + costs.cable_robot_steps;
+  const auto& outcomes = picture.motion.outcomes;
+  const auto contacts = static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(), [](const EnvStep& step) {
+    return TouchesObstacle(step) || TouchesRobot(step);  // Once, where it does both.
+  }));
   FigureContent content{.title = FixedText(costs.length_m, 1) + " m in " + FixedText(picture.dt_s * costs.steps, 1) +
                                  " s, " + (contacts == 0 ? "nothing touches" : StepsText(contacts) + " with contact")};
   content.legend = {{kWayLine, "the robot's way"}};
@@ -57,11 +60,12 @@ FigureContent ContentOf(const ContactFreePicture& picture, bool film) {
     content.legend.push_back({kEndCableLine, "at the end"});
   }
   if (costs.cable_robot_steps > 0) {
-    content.legend.push_back({Marker::kRing, "the robot drives onto its cable: " + StepsText(costs.cable_robot_steps)});
+    content.legend.push_back(
+        {Marker::kRing, "the robot drives onto its cable: " + StepsText(costs.cable_robot_steps) + " in all"});
   }
   if (costs.cable_obstacle_steps > 0) {
-    content.legend.push_back(
-        {Marker::kCrossing, "where the robot is when the cable touches: " + StepsText(costs.cable_obstacle_steps)});
+    content.legend.push_back({Marker::kCrossing, "where the robot is when the cable begins to touch: " +
+                                                     StepsText(costs.cable_obstacle_steps) + " in all"});
   }
   return content;
 }

@@ -46,6 +46,8 @@ TEST(DrawContactFree, CountsContacts) {
   Example e;
   e.picture.motion.outcomes[10].cable_robot = e.picture.motion.outcomes[11].cable_robot = true;
   e.picture.motion.costs.cable_robot_steps = 2;
+  e.picture.motion.outcomes[11].cable_obstacle = true;  // The same step.
+  e.picture.motion.costs.cable_obstacle_steps = 1;
   EXPECT_THAT(DrawContactFree(e.scene, e.picture), AllOf(HasSubstr("2 steps with contact"), HasSubstr("its cable: 2")));
 }
 

@@ -331,7 +331,7 @@ std::string WriteOnnx(const OnnxModel& model) {
 
 Expected<OnnxModel> ReadOnnx(std::string_view bytes, const std::string& name) {
   const auto broken = [&name] {
-    return InvalidInput("is no whole ONNX file: give a policy that `tautline learn train` wrote", name);
+    return InvalidInput("is no whole ONNX file: give a policy that `tautline learn` wrote", name);
   };
   std::optional<Graph> graph;
   std::map<std::string, std::string> metadata;
@@ -351,7 +351,7 @@ Expected<OnnxModel> ReadOnnx(std::string_view bytes, const std::string& name) {
   if (widths.empty()) {
     return tl::unexpected(Error{ErrorCode::kUnsupported,
                                 "is an ONNX model, but no perceptron that tautline wrote: give a policy that "
-                                "`tautline learn train` wrote",
+                                "`tautline learn` wrote",
                                 name});
   }
   OnnxModel result{.network = Mlp(widths), .metadata = std::move(metadata)};

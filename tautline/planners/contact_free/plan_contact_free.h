@@ -20,7 +20,7 @@ struct ContactFreeOptions {
   TetherEnvOptions env = {.max_steps = 5000};
   SearchCosts costs;             ///< What else counts.
   double margin_m = 0.1;         ///< Kept from obstacles by robot and cable, as far as that goes.
-  std::int64_t budget = 60'000;  ///< States that are expanded at most.
+  std::int64_t budget = 60'000;  ///< States after which no wider search begins; the first is whole.
   Watcher watch = {};            ///< Told how far the search has come.
 };
 

@@ -4,6 +4,7 @@
 
 #include "tautline/base/rng.h"
 #include "tautline/base/test_scale.h"
+#include "tautline/planners/contact_free/motion_faults.h"
 #include "tautline/planners/contact_free/track_path.h"
 
 namespace tautline {
@@ -25,32 +26,26 @@ ContactFreeResult Plan(const Scene& scene, const ContactFreeOptions& options = {
 
 /// The costs of a result against the environment itself, step by step.
 void ExpectReplayed(const Scene& scene, const ContactFreeResult& result) {
-  const FreeSpace space = BuildFreeSpace(scene.world).value();
-  const ContactMap map(space, 0.1);
-  TetherTask task = TaskOf(scene).value();
-  task.heading_rad = result.motion.poses.front().heading_rad;
-  auto env = TetherEnv::Create(map, task, result.env);
-  ASSERT_TRUE(env) << ToString(env.error());
-  double reward = 0, length_m = 0;
-  int obstacle = 0, robot = 0;
-  EnvStep step;
-  for (const Velocity& velocity : result.motion.velocities) {
-    ASSERT_FALSE(step.ends());
-    step = env->StepWith(velocity.speed_m_per_s, velocity.turn_rad_per_s);
-    reward += step.reward;
-    length_m += velocity.speed_m_per_s * result.env.dt_s;
-    obstacle += step.cable_obstacle ? 1 : 0;
-    robot += step.cable_robot ? 1 : 0;
-    ASSERT_FALSE(step.robot_obstacle || step.held);
-  }
-  EXPECT_TRUE(step.at_goal);
-  EXPECT_EQ(obstacle, result.motion.costs.cable_obstacle_steps);
-  EXPECT_EQ(robot, result.motion.costs.cable_robot_steps);
-  EXPECT_NEAR(-reward, result.motion.costs.penalty, 1e-9);
-  EXPECT_NEAR(length_m, result.motion.costs.length_m, 1e-9);
-  EXPECT_NEAR(result.cost, 0.2 * length_m - reward, 1e-9);
-  EXPECT_GE(result.cost, result.bound - 1e-9);
-  EXPECT_GE(length_m, result.shortest_m - 1e-9);
+  ASSERT_EQ(result.status, ContactFreeStatus::kSolved);
+  EXPECT_EQ(MotionFaults(scene, result, {}), std::vector<std::string>{});
+}
+
+TEST(MotionFaults, SayWhatIsNotAsClaimed) {
+  const Scene scene = SceneOf({Rectangle(4, 0, 2, 7)}, {.base = {2, 5}, .length = 20}, {8.5, 4});
+  const ContactFreeResult right = Plan(scene);
+  ExpectReplayed(scene, right);
+  const auto faults_of = [&](const auto& spoil) {
+    ContactFreeResult wrong = right;
+    spoil(wrong);
+    return MotionFaults(scene, wrong, {}).size();
+  };
+  EXPECT_GE(faults_of([](ContactFreeResult& r) { r.motion.velocities.pop_back(); }), 2);
+  EXPECT_GE(faults_of([](ContactFreeResult& r) { r.motion.velocities.push_back({1, 0}); }), 1);
+  EXPECT_GE(faults_of([](ContactFreeResult& r) { r.motion.poses.front().heading_rad += 1; }), 1);
+  EXPECT_EQ(faults_of([](ContactFreeResult& r) { ++r.motion.costs.cable_robot_steps; }), 1);
+  EXPECT_EQ(faults_of([](ContactFreeResult& r) { ++r.motion.costs.cable_obstacle_steps; }), 1);
+  EXPECT_EQ(faults_of([](ContactFreeResult& r) { r.cost += 0.01; }), 1);
+  EXPECT_EQ(faults_of([](ContactFreeResult& r) { r.bound = r.cost + 1; }), 1);
 }
 
 TEST(PlanContactFree, KeepsTheCableOffACorner) {

@@ -28,6 +28,14 @@ void EpisodeTotals::Add(const EnvStep& step, double moved_m) {
 
 double EpisodeTotals::PerMinute(int count, double dt_s) const { return steps == 0 ? 0 : 60 * count / (steps * dt_s); }
 
+Polyline PolicyRun::Path() const {
+  Polyline path;
+  for (const EnvFrame& frame : frames) {
+    if (path.empty() || path.back() != frame.pose.at) path.push_back(frame.pose.at);
+  }
+  return path;
+}
+
 PolicyRun RunPolicy(TetherEnv env, const Mlp& network, const Kernels& kernels, bool keep_frames) {
   MlpPass pass(network.widths(), 1, kernels);
   PolicyRun run;

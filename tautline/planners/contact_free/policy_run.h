@@ -38,6 +38,9 @@ struct EnvFrame {
 struct PolicyRun {
   EpisodeTotals totals;          ///< What it came to.
   std::vector<EnvFrame> frames;  ///< The start and each step; empty where they were not wanted.
+
+  /// The robot's places, without those at which it only turns. Requires frames.
+  Polyline Path() const;
 };
 
 /// Plays one episode from the environment's start to its end, greedily: the first of the actions whose values are

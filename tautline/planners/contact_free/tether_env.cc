@@ -68,6 +68,12 @@ Expected<void> CheckNumbers(const TetherEnvOptions& options) {
   if (!not_negative(options.start_noise_m) || !not_negative(options.heading_noise_rad)) {
     return InvalidInput("the noise of the start must be finite and not negative");
   }
+  const RewardOptions& reward = options.reward;
+  for (const double number :
+       {reward.goal, reward.robot_obstacle, reward.cable_obstacle, reward.cable_robot, reward.rotation, reward.time,
+        reward.progress, reward.deviation, reward.deviation_from_radii}) {
+    if (!std::isfinite(number)) return InvalidInput("rewards and their threshold must be finite");
+  }
   if (options.max_steps < 1) return InvalidInput("an episode needs at least one step");
   return {};
 }

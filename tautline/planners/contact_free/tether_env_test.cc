@@ -176,7 +176,8 @@ TEST(TetherEnv, SaysWhatIsWrongWithATask) {
   EXPECT_NE(fault(bad), "none");
   for (const TetherEnvOptions& options :
        {TetherEnvOptions{.robot_radius_m = 0}, TetherEnvOptions{.link_length_m = nan}, TetherEnvOptions{.dt_s = -1},
-        TetherEnvOptions{.turn_rad_per_s = 400}, TetherEnvOptions{.max_steps = 0}, TetherEnvOptions{.grid_m = 0}}) {
+        TetherEnvOptions{.turn_rad_per_s = 400}, TetherEnvOptions{.max_steps = 0}, TetherEnvOptions{.grid_m = 0},
+        TetherEnvOptions{.reward = {.goal = nan}}, TetherEnvOptions{.reward = {.deviation_from_radii = nan}}}) {
     EXPECT_NE(fault(good, options), "none");
   }
 }
