@@ -42,7 +42,7 @@ wasm: packages-wasm  ## compile the core for browsers, compare it with the progr
 	python3 -B tests/run_wasm_page.py $(WASM)
 
 .PHONY: asan tsan
-asan: packages-test  ## run the tests under the address and undefined-behaviour sanitizers
+asan: packages-ci  ## run the tests under the address and undefined-behaviour sanitizers
 tsan: packages-test  ## run the tests under the thread sanitizer
 asan tsan:
 	cmake --preset $@
@@ -75,9 +75,9 @@ tidy tidy-deep:
 
 .PHONY: fuzz
 fuzz: packages-ci  ## run each fuzz target for FUZZ_SECONDS, FUZZ_JOBS at a time
-	cmake --preset fuzz
-	$(BUILD) fuzz --target fuzzers
-	tools/run_fuzzers.sh build/fuzz/fuzz $(FUZZ_SECONDS) $(FUZZ_JOBS)
+	cmake --preset asan
+	$(BUILD) asan --target fuzzers
+	tools/run_fuzzers.sh build/asan/fuzz $(FUZZ_SECONDS) $(FUZZ_JOBS)
 
 .PHONY: bench
 bench: packages-bench  ## run the benchmarks (FILTER=REGEX: some of them) and write docs/performance.md
