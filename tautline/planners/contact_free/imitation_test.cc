@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tautline/base/test_scale.h"
 #include "tautline/network/onnx_file.h"
@@ -131,6 +132,21 @@ TEST(DriverPolicy, EvenWithoutKnowledgeItComesToTheGoalOrHitsNothing) {
     ++driven;
   }
   EXPECT_GT(driven, 0);
+}
+
+TEST(DriverPolicy, WithoutNumbersItFollowsTheReference) {
+  Mlp nonsense({kViewSize, 8, kIntentSize});
+  for (float& parameter : nonsense.parameters()) parameter = std::numeric_limits<float>::quiet_NaN();
+  const auto course = CourseOf(2, {});
+  ASSERT_TRUE(course);
+  for (const int look_ahead : {0, 40}) {
+    DriverPolicy policy(nonsense, PortableKernels(), {.look_ahead_steps = look_ahead});
+    const DrivenMotion motion = policy.Drive(course->env);
+    ASSERT_FALSE(motion.velocities.empty());
+    for (const Velocity& velocity : motion.velocities) {
+      ASSERT_TRUE(std::isfinite(velocity.speed_m_per_s) && std::isfinite(velocity.turn_rad_per_s));
+    }
+  }
 }
 
 TEST(DriverPolicy, RefusesOtherNetworks) {

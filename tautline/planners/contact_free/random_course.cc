@@ -134,13 +134,18 @@ Scene RandomCourse(Rng& rng) {
   }
 }
 
-Scene NextCourse(const Scene& course, const TetherEnv& driven, Rng& rng) {
-  Scene next = course;
+Scene SceneAfter(const Scene& scene, const TetherEnv& driven) {
+  Scene now = scene;
   const auto nodes = driven.cable().nodes();
   Polyline laid(nodes.begin(), nodes.end());
   laid.push_back(driven.pose().at);
-  next.tether->laid = laid;
-  next.robot.heading = driven.pose().heading_rad;
+  now.tether->laid = std::move(laid);
+  now.robot.heading = driven.pose().heading_rad;
+  return now;
+}
+
+Scene NextCourse(const Scene& course, const TetherEnv& driven, Rng& rng) {
+  Scene next = SceneAfter(course, driven);
   const auto goal = DrawPlace(YardOf(course), rng, driven.pose().at);
   if (goal) next.goal = *goal;
   return next;
