@@ -72,6 +72,22 @@ TEST(DriverViewRandom, InAMirrorIsTheMirroredView) {
   EXPECT_GT(seen, 10 * courses);
 }
 
+TEST(DriverView, EndsAtCellsThatAreAllButBlocked) {
+  // The wall keeps so far from the middle of a column of cells that a millionth of a millionth of a metre is free
+  // there.
+  const double cell = 0.125, half_diagonal = cell * std::sqrt(0.5), middle = 6.5 * cell;
+  const double wall = middle + ((1 + 1e-6) * half_diagonal + 1e-12) / (1 - 1e-6);
+  const FreeSpace space = BuildFreeSpace({.outline = Ring{{0, 0}, {wall, 0}, {wall, 2}, {0, 2}}}).value();
+  const ContactMap map(space, cell);
+  ASSERT_GT(map.ClearAround({middle, 1.05}), 0);
+  ASSERT_LT(map.ClearAround({middle, 1.05}), 1e-11);
+  const auto env = TetherEnv::Create(
+      map, {.laid = {{0.4, 1.05}}, .heading_rad = 0, .cable_length_m = 2, .goal = {0.4, 1.6}}, {.robot_radius_m = 0.1});
+  ASSERT_TRUE(env);
+  const DriverView view = LookAround(*env, 0);
+  EXPECT_NEAR(view[0], wall - 0.4, cell);
+}
+
 TEST(DriverView, MirroredTwiceIsTheSame) {
   DriverView view;
   for (std::size_t i = 0; i < view.size(); ++i) view[i] = static_cast<float>(i) / 100;
