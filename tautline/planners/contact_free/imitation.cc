@@ -137,7 +137,7 @@ DriverView Mirrored(const DriverView& view) {
     const auto to = mirrored.begin() + static_cast<std::ptrdiff_t>(part * kViewRays);
     std::reverse_copy(from + 1, from + kViewRays, to + 1);
   }
-  std::size_t at = 2 * kViewRays;
+  std::size_t at = std::size_t{2} * kViewRays;
   for (int node = 0; node < kViewNodes; ++node, at += 3) mirrored[at + 1] = -view[at + 1];
   for (int ahead = 0; ahead < kViewAhead; ++ahead, at += 2) mirrored[at + 1] = -view[at + 1];
   return mirrored;

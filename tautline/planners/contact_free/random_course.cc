@@ -75,8 +75,9 @@ void AddRooms(Yard& yard, Rng& rng) {
     const double length = rng.Uniform(0.6, 4.5), width = rng.Uniform(0.5, 1.4);
     Box box = BoxAt(yard.Draw(rng), tall ? width : length, tall ? length : width);
     // A third of them stand at a wall.
-    if (rng.UniformInt(0, 2) == 0)
+    if (rng.UniformInt(0, 2) == 0) {
       box = BoxAt({rng.UniformInt(0, 1) == 0 ? 0 : yard.size.x - box.size().x, box.low.y}, box.size().x, box.size().y);
+    }
     if (box.high.x <= yard.size.x && box.high.y <= yard.size.y) yard.Try(box);
   }
 }
