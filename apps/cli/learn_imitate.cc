@@ -25,8 +25,10 @@ namespace {
 
 /// Courses that policies are tested on have seeds from here on, and are never taught.
 constexpr std::uint64_t kUnseen = 1'000'000'000;
-/// Between the seeds of two rounds of teaching.
-constexpr std::uint64_t kRound = 10'000'000;
+/// Between the seeds of two rounds of teaching, which have no more courses.
+constexpr int kRound = 10'000'000;
+/// So that no round comes to the courses of the tests.
+constexpr int kMostRounds = kUnseen / kRound - 1;
 constexpr std::size_t kMostPolicyBytes = std::size_t{1} << 26;
 
 struct LearnImitateCommand {
@@ -132,7 +134,7 @@ Demonstrations Collect(const LearnImitateCommand& command, int round, const Coll
                        ProgressBar& progress) {
   Demonstrations all;
   const auto count = static_cast<std::size_t>(round == 0 ? command.courses : (command.courses + 1) / 2);
-  const std::uint64_t first = command.seed + static_cast<std::uint64_t>(round) * kRound;
+  const std::uint64_t first = command.seed + static_cast<std::uint64_t>(round) * std::uint64_t{kRound};
   InOrder<Demonstrations>::Run(
       {.count = count, .threads = command.threads},
       [&](std::size_t i) { return CollectDemonstrations(first + i, options); },
@@ -237,10 +239,10 @@ Run AddLearnImitate(CLI::App& learn) {
       ->type_name("FILE")
       ->check(FileName());
   sub->add_option("--courses", command->courses, "random courses to learn from, and half as many in each further round")
-      ->check(AtLeastOne())
+      ->check(CLI::Range(1, kRound))
       ->capture_default_str();
   sub->add_option("--rounds", command->rounds, "rounds in which the policy learns to get out of its own mistakes")
-      ->check(CLI::Range(0, 100))
+      ->check(CLI::Range(0, kMostRounds))
       ->capture_default_str();
   sub->add_option("--recoveries", command->recoveries, "of a course in such a round")
       ->check(AtLeastOne())
@@ -249,7 +251,7 @@ Run AddLearnImitate(CLI::App& learn) {
       ->check(AtLeastOne())
       ->capture_default_str();
   sub->add_option("--test", command->test, "courses never seen to test the policy on")
-      ->check(AtLeastOne())
+      ->check(CLI::Range(1, kRound))
       ->capture_default_str();
   sub->add_option("--threads", command->threads, "the most threads to use; the answer does not depend on it")
       ->check(AtLeastOne())
