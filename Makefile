@@ -92,7 +92,7 @@ install: packages-demo  ## install the program and the library to PREFIX
 	cmake --install build/release --prefix $(PREFIX)
 
 .PHONY: deb
-deb: packages-package  ## build the Debian packages tautline and libtautline-dev in build/deb, and lint them
+deb: packages-package  ## build the Debian packages tautline, libtautline-env1 and libtautline-dev in build/deb, and lint them
 	tools/build_deb.sh build/deb $(JOBS)
 
 .PHONY: api

@@ -336,7 +336,9 @@ def learning(results):
     training = "learning/training"
     rows.append([f"training of 300,000 steps with {count(results.value(training, 'gradient_steps'))} gradient steps, `auto`",
                  seconds(results.time(training))])
-    rows.append(["environment, steps a second", count(results.value("learning/environment", "steps_per_second"))])
+    environment = "learning/environment"
+    rows.append([f"environment with {digits(results.value(environment, 'nodes'))} nodes of cable, steps a second",
+                 count(results.value(environment, "steps_per_second"))])
     return table(["what", "one core"], rows)
 
 

@@ -125,5 +125,5 @@ def learning_targets():
                    command=command),
             Target("training of 300,000 steps (231 to 324 CPU s with Stable-Baselines3)",
                    time_of("learning/training"), 23.1, command=command),
-            Target("environment of the contact-free planner, steps a second",
+            Target("environment of the contact-free planner, 12 nodes of cable or more, steps a second",
                    at("learning/environment", "steps_per_second"), 1.5e6, count, command, True)]

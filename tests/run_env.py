@@ -5,6 +5,7 @@ run_env.py LIBRARY"""
 import ctypes
 import importlib
 import math
+import os
 import pathlib
 import subprocess
 import sys
@@ -62,10 +63,17 @@ class Environment(unittest.TestCase):
         self.assertAlmostEqual(a.step(0)[1] - b.step(0)[1], 6.9, 9)
         self.assertAlmostEqual(float(b.step(1)[0][0]), round(b.pose[0] / 0.2) * 0.2, 5)
         for wrong, word in (({"no_such": 1}, "no_such"), ({"dt": "x"}, "dt"), ({"max_steps": 1.5}, "max_steps"),
+                            ({"max_steps": 2**32 + 5}, "max_steps: must be"), ({"max_steps": -10**30}, "max_steps"),
                             ({"observation": 3}, "observation"), ({"robot_radius": -1}, "positive"),
                             ({"use_reference": 1}, "use_reference"), ({"max_steps": 0}, "step")):
             with self.assertRaisesRegex(ValueError, word):
                 make(**wrong)
+
+    def test_the_example_plays(self):
+        done = subprocess.run([sys.executable, "-B", ROOT / "examples/gymnasium/random_episode.py", SCENE], text=True,
+                              capture_output=True, env={**os.environ, "TAUTLINE_ENV_LIBRARY": LIBRARY}, timeout=60)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"^\d+ steps, return -?\d+\.\d\d, at the goal: (True|False)\n$")
 
     def test_wrong_calls_are_refused(self):
         import tautline_env

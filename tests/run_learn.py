@@ -206,6 +206,12 @@ class Learn(Refusals, unittest.TestCase):
         seeds = json.loads(self.compare("--seed", 2**40, "--json").stdout)["jobs"]
         self.assertEqual({path["seed"] for job in seeds for path in job["paths"]}, {0, 2**40})
 
+    def test_no_course_is_taught_and_tested(self):
+        """Rounds and courses that would reach the seeds of the tests."""
+        for option, value in (("--rounds", "100"), ("--courses", "10000001"), ("--test", "10000001")):
+            self.expect_refused(subprocess.run([PROGRAM, "learn", "imitate", "--out", str(self.folder / "p"), option,
+                                                value], text=True, capture_output=True, timeout=TIMEOUT_S), option)
+
     def test_a_goal_out_of_reach_is_told(self):
         scene = self.folder / "short.yaml"
         scene.write_text("world: {outline: [[0, 0], [8, 0], [8, 6], [0, 6]]}\n"

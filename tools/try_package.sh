@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # try_package.sh [FOLDER]: tries the packages in FOLDER (default: build/deb) on a fresh Debian 12. It makes a minimal
 # system with debootstrap, installs tautline with apt, runs the program, its completions and its manual, installs
-# libtautline-dev and builds and runs an example with it, and removes the system again. Needs root and debootstrap.
+# libtautline-dev and libtautline-env1, builds examples with them and runs these, and removes the system again. Needs
+# root and debootstrap.
 #
 # TAUTLINE_MIRROR names another mirror than http://deb.debian.org/debian.
 set -euo pipefail
@@ -12,7 +13,7 @@ mirror=${TAUTLINE_MIRROR:-http://deb.debian.org/debian}
 die() { echo "try_package.sh: $*" >&2; exit 1; }
 ((EUID == 0)) || die "debootstrap and chroot need root; run it with sudo"
 command -v debootstrap >/dev/null || die "debootstrap is missing; tools/install_packages.sh package installs it"
-packages=("$folder"/tautline_*.deb "$folder"/libtautline-dev_*.deb)
+packages=("$folder"/tautline_*.deb "$folder"/libtautline-dev_*.deb "$folder"/libtautline-env1_*.deb)
 for package in "${packages[@]}"; do [[ -f $package ]] || die "there is no $package; \`make deb\` builds it"; done
 
 system=$(mktemp -d)
@@ -63,13 +64,16 @@ install_packages man-db zsh
 expect '^NAME$' bash -c 'MANPAGER=cat MANWIDTH=80 man tautline | sed "s/.\x08//g"'
 expect '^_tautline$' zsh -c 'autoload -Uz compinit; compinit -D; print -r -- $_comps[tautline]'
 
-install_packages "/packages/$(basename "${packages[1]}")" cmake g++ make
+install_packages "/packages/$(basename "${packages[1]}")" "/packages/$(basename "${packages[2]}")" cmake g++ make python3
 expect '13 6' bash -c 'cd /root && cmake -S /usr/share/doc/libtautline-dev/examples/plan_once -B once && cmake --build once &&
   once/plan_once'
 expect 'solved' bash -c "cd /root && cmake -S /usr/share/doc/libtautline-dev/examples/replan -B replan &&
   cmake --build replan && replan/replan /usr/share/doc/tautline/examples/scenes/store_room.yaml 11.6,6.6 0.1"
 
-inside apt-get purge -q -y tautline libtautline-dev >/dev/null 2>&1
+expect "'at_goal': False" env PYTHONPATH=/usr/share/doc/libtautline-dev/examples/gymnasium python3 -B -c \
+  "from tautline_env import TautlineEnv; env = TautlineEnv('$scene', robot_radius=0.1); env.reset(); print(env.step(1))"
+
+inside apt-get purge -q -y tautline libtautline-dev libtautline-env1 >/dev/null 2>&1
 # man's cache of pages is not the package's.
 left=$(inside find / -xdev \( -path /proc -o -path /packages -o -path /var/cache/man \) -prune -o -name '*tautline*' -print)
 [[ -z $left ]] || die "left behind after removal: $left"

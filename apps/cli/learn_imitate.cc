@@ -249,7 +249,7 @@ Run AddLearnImitate(CLI::App& learn) {
       ->check(AtLeastOne())
       ->capture_default_str();
   sub->add_option("--test", command->test, "courses never seen to test the policy on")
-      ->check(AtLeastOne())
+      ->check(CLI::Range(1, kMostCourses))
       ->capture_default_str();
   sub->add_option("--threads", command->common.threads, "the most threads to use; the answer does not depend on it")
       ->check(AtLeastOne())

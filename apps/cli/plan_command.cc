@@ -152,9 +152,9 @@ Run AddPlan(CLI::App& app) {
       ->capture_default_str();
   CLI::Option* crossing_free = sub->add_flag("--crossing-free", command->options.crossing_free,
                                              "the taut tether is never to cross itself on the way");
-  sub->add_option("--budget", command->options.budget, "search steps after which to stop")
-      ->check(AtLeastOne())
-      ->capture_default_str();
+  const CLI::Option* budget = sub->add_option("--budget", command->options.budget, "search steps after which to stop")
+                                  ->check(AtLeastOne())
+                                  ->capture_default_str();
   CLI::Option* goals = sub->add_option("--goals", command->goals,
                                        "plan to each goal of this file, `x y` in a line, - for standard input, and "
                                        "print a line of JSON for each");
@@ -180,7 +180,11 @@ Run AddPlan(CLI::App& app) {
       "Example:\n  tautline plan scenes/two_ways.yaml --svg plan.svg\n"
       "  echo 3 2 | tautline plan scenes/two_ways.yaml --goals -\n"
       "Exit status: 0 solved, with --goals all of them, 2 bad input, 3 no solution (with the reason).");
-  return [command] { return RunPlan(*command); };
+  return [command, budget] {
+    ContactFreeOptions& options = command->contact_free_options;
+    if (budget->count() > 0) options.budget = options.last_search = command->options.budget;
+    return RunPlan(*command);
+  };
 }
 
 }  // namespace tautline::cli

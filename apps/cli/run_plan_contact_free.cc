@@ -42,7 +42,6 @@ Expected<int> RunPlanContactFree(const PlanCommand& command) {
   if (command.robot_radius) scene->robot.radius = command.robot_radius;
   ProgressBar progress(!command.common.quiet);
   ContactFreeOptions options = command.contact_free_options;
-  options.budget = std::min(options.budget, command.options.budget);
   options.watch = progress.watcher();
   const auto answer = AnswerContactFree(*scene, options, command.common.verify);
   progress.Clear();

@@ -1,7 +1,9 @@
 #include "apps/env_abi/tautline_env.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -89,6 +91,9 @@ template <class Value>
 void Take(const nlohmann::json& from, Value& value) {
   if constexpr (std::is_same_v<Value, int>) {
     if (!from.is_number_integer()) throw std::invalid_argument("must be a whole number");
+    // Larger ones would become others.
+    constexpr double kMost = std::numeric_limits<int>::max();
+    if (std::abs(from.get<double>()) > kMost) throw std::invalid_argument("must be a whole number up to 2147483647");
   } else {
     if (!from.is_number()) throw std::invalid_argument("must be a number");
   }

@@ -1,8 +1,9 @@
 /* The environment of `tautline learn train` for other programs and other languages: a robot that drags a cable, on the
  * task of a scene file. Plain C; link with libtautline_env.so or load it.
  *
- * Every function may be called with anything: null pointers and environments that were freed by nobody else are
- * refused, never followed. Nothing throws. One environment is for one thread at a time; several are independent.
+ * Null pointers, and environments that are none or were freed, are refused and never followed, and so are steps outside
+ * of an episode and actions that do not exist; other pointers must lead to as much room as is said. Nothing throws. One
+ * environment is for one thread at a time; several are independent.
  *
  *   tautline_env *env = tautline_env_create("scene.yaml", NULL);
  *   float at[TAUTLINE_ENV_INPUTS];

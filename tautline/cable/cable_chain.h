@@ -20,7 +20,7 @@ struct CableChainOptions {
 
 /// A cable from its base to the robot's tail. Links have their length, except the first: it grows as the reel pays out,
 /// and may be slack. When it is as long as a link, a node enters at the base. Near its full length the passes come to
-/// their end slowly, and folded rods may be stuck: then the last link may be stretched by a hundredth, or be shorter.
+/// their end slowly, and folded rods may be stuck: then the last link may be stretched by a twentieth, or be shorter.
 /// Deterministic; a copy goes on independently. [Shimada2024, Eqs. 6, 7]
 class CableChain {
  public:
@@ -29,9 +29,8 @@ class CableChain {
   CableChain(std::span<const Point> laid, const CableChainOptions& options);
 
   /// Pulls the last node to a point, and all others after it: from the tail on [Eq. 6], and, where the reel is empty,
-  /// from the base on [Eq. 7], until both ends hold; pulls are made longer by what the base
-  /// took back of the one before. False where the cable is too short; nothing moves then. Requires
-  /// a finite point. O(nodes * rounds).
+  /// from the base on [Eq. 7], until both ends hold; pulls are made longer by what the base took back of the one
+  /// before. False where the cable is too short; nothing moves then. Requires a finite point. O(nodes * rounds).
   bool Pull(Point to);
 
   /// From base to tail; at least two.

@@ -25,28 +25,6 @@ double HuberLoss(std::span<const float> outputs, const ChosenTargets& wanted, st
   return loss;
 }
 
-double CrossEntropyLoss(std::span<const float> outputs, std::span<const int> classes, std::span<float> slopes) {
-  const std::size_t batch = classes.size();
-  TAUTLINE_CHECK(batch > 0 && outputs.size() == slopes.size() && outputs.size() % batch == 0);
-  const std::size_t row = outputs.size() / batch;
-  const double share = 1 / static_cast<double>(batch);
-  double loss = 0;
-  for (std::size_t i = 0; i < batch; ++i) {
-    const auto values = outputs.subspan(i * row, row);
-    const auto wanted = static_cast<std::size_t>(classes[i]);
-    TAUTLINE_CHECK(wanted < row);
-    const double largest = *std::max_element(values.begin(), values.end());
-    double sum = 0;
-    for (const float value : values) sum += std::exp(value - largest);
-    loss += share * (std::log(sum) + largest - values[wanted]);
-    for (std::size_t j = 0; j < row; ++j) {
-      const double probability = std::exp(values[j] - largest) / sum;
-      slopes[i * row + j] = static_cast<float>(share * (probability - (j == wanted ? 1 : 0)));
-    }
-  }
-  return loss;
-}
-
 double MeanSquareLoss(std::span<const float> outputs, std::span<const float> targets, std::span<float> slopes) {
   TAUTLINE_CHECK(!outputs.empty() && outputs.size() == targets.size() && outputs.size() == slopes.size());
   const double share = 1 / static_cast<double>(outputs.size());

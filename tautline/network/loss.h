@@ -17,10 +17,6 @@ struct ChosenTargets {
 /// and choices within a row.
 double HuberLoss(std::span<const float> outputs, const ChosenTargets& wanted, std::span<float> slopes);
 
-/// The cross-entropy of the softmax of each row with the class in `classes`, as a mean over the samples. Otherwise as
-/// HuberLoss.
-double CrossEntropyLoss(std::span<const float> outputs, std::span<const int> classes, std::span<float> slopes);
-
 /// The mean square difference over all outputs. Otherwise as HuberLoss.
 double MeanSquareLoss(std::span<const float> outputs, std::span<const float> targets, std::span<float> slopes);
 

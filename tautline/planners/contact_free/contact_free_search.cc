@@ -28,14 +28,12 @@ struct Primitive {
   int steps = 1;
 };
 
-/// Straight on, arcs of three radii to either side, turns on the spot.
+/// Turns on the spot are half as long as the others.
 std::vector<Primitive> MakePrimitives(const TetherEnvOptions& env, int steps) {
-  const double speed = env.speed_m_per_s, turn = env.turn_rad_per_s;
-  std::vector<Primitive> primitives = {{{speed, 0}, steps}};
-  for (const double share : {0.25, 0.5, 1.0}) {
-    for (const double side : {1.0, -1.0}) primitives.push_back({{speed, side * share * turn}, steps});
+  std::vector<Primitive> primitives;
+  for (const Velocity& velocity : BasicVelocities(env)) {
+    primitives.push_back({velocity, velocity.speed_m_per_s == 0 ? std::max(1, steps / 2) : steps});
   }
-  for (const double side : {1.0, -1.0}) primitives.push_back({{0, side * turn}, std::max(1, steps / 2)});
   return primitives;
 }
 
@@ -104,6 +102,7 @@ class Search {
       for (int layer = 0; layer < last && !open_.empty(); ++layer) {
         const std::vector<int> beam = TakeBeam();
         for (const int state : beam) {
+          if (outcome.expansions >= problem_.budget) return Ended(SearchEnd::kBudget, outcome);
           stop.Step();
           ++outcome.expansions;
           Expand(state);
@@ -149,7 +148,7 @@ class Search {
   }
 
   /// What states may cost that are of interest yet.
-  double Limit() const { return std::min(problem_.to_beat, goal_cost_ + grain_.slack); }
+  double Limit() const { return goal_cost_ + grain_.slack; }
 
   double Left(Point at) const {
     return per_metre_ * std::max(0.0, problem_.guide->LowerBound(at) - problem_.env->options().goal_radius_m);
@@ -257,7 +256,6 @@ class Search {
   }
 
   void AddGoal(State state) {
-    if (state.cost >= problem_.to_beat) return;
     const std::pair kind(state.word, BeginningOf(state));
     const auto [found, is_new] = goals_.try_emplace(kind, static_cast<int>(states_.size()));
     if (!is_new && states_[static_cast<std::size_t>(found->second)].cost <= state.cost) return;

@@ -40,8 +40,8 @@ struct SearchCosts {
 /// How a search ended.
 enum class SearchEnd : std::uint8_t {
   kFound,      ///< A motion to the goal.
-  kExhausted,  ///< Nothing is left that could be better than the motion to beat.
-  kBudget,     ///< The layers are used up, or the caller said stop.
+  kExhausted,  ///< Nothing is left to follow. A proof only where no state was given up.
+  kBudget,     ///< The layers or the budget are used up, or the caller said stop.
 };
 
 /// What a search found.
@@ -60,9 +60,8 @@ struct SearchProblem {
   GoalGuide* guide = nullptr;      ///< To the goal of the environment's task.
   const Rays* rays = nullptr;      ///< For the class of the cable.
   SearchCosts costs;               ///< Besides the environment's penalties.
-  /// Motions that cost as much are of no interest.
-  double to_beat = std::numeric_limits<double>::infinity();
-  KeepGoing keep_going = {};  ///< Asked at every expansion.
+  std::int64_t budget = std::numeric_limits<std::int64_t>::max();  ///< States that are expanded at most.
+  KeepGoing keep_going = {};                                       ///< Asked now and then.
 };
 
 /// Search in layers over (pose, cable) with motion primitives: straight on, arcs, turns on the spot, each of several

@@ -86,13 +86,24 @@ TEST(ContactFreeSearch, DrivesStraightOnWhereItCan) {
   EXPECT_NEAR(outcome.cost, 1.4 * 0.2 + 14 * 0.001, 1e-12);
 }
 
-TEST(ContactFreeSearch, SaysThatNothingBeatsAGoodMotion) {
-  Chamber chamber({}, {.laid = {{1, 2}}, .heading_rad = 0, .cable_length_m = 5, .goal = {2.5, 2}});
+TEST(ContactFreeSearch, SaysThatNothingIsLeft) {
+  // Wherever the cable lets the robot go, it is still a metre from the goal.
+  Chamber chamber({}, {.laid = {{1, 2}}, .heading_rad = 0, .cable_length_m = 0.4, .goal = {2.5, 2}});
+  const SearchOutcome outcome = SearchMotion(chamber.problem(), {.layers = 10'000});
+  EXPECT_EQ(outcome.end, SearchEnd::kExhausted);
+  EXPECT_TRUE(outcome.motions.empty());
+  EXPECT_GT(outcome.expansions, 1);
+}
+
+TEST(ContactFreeSearch, KeepsItsBudget) {
+  Chamber chamber({}, {.laid = {{1, 2}}, .heading_rad = 2, .cable_length_m = 5, .goal = {3, 2}});
   SearchProblem problem = chamber.problem();
-  problem.to_beat = 1.4 * 0.21;
-  EXPECT_EQ(SearchMotion(problem, {}).end, SearchEnd::kExhausted);
-  problem.to_beat += 1e-6;
-  EXPECT_EQ(SearchMotion(problem, {}).end, SearchEnd::kFound);
+  for (const std::int64_t budget : {1, 2, 77}) {
+    problem.budget = budget;
+    const SearchOutcome outcome = SearchMotion(problem, {});
+    EXPECT_EQ(outcome.expansions, budget);
+    EXPECT_EQ(outcome.end, SearchEnd::kBudget);
+  }
 }
 
 TEST(ContactFreeSearch, StopsWhenTold) {

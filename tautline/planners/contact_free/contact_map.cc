@@ -148,6 +148,4 @@ double ContactMap::DistanceToEdges(Point p) const {
   }
 }
 
-double ContactMap::DistanceFrom(Point p) const { return IsBlocked(p) ? 0 : DistanceToEdges(p); }
-
 }  // namespace tautline

@@ -48,9 +48,6 @@ class ContactMap {
   /// Whether p is in blocked ground or on its edge, exactly. O(rings whose boxes hold p).
   bool IsBlocked(Point p) const;
 
-  /// The distance from p to blocked ground, metres; 0 inside. O(1) as a rule.
-  double DistanceFrom(Point p) const;
-
   /// Around the free space.
   const Box& box() const { return box_; }
 

@@ -154,7 +154,8 @@ bool Dqn::Load(StateReader& reader) {
   const std::size_t count = network_.parameters().size();
   if (adam.mean.size() != count || adam.square.size() != count || adam.steps < 0) return false;
   adam_.set_state(std::move(adam));
-  return buffer_.Load(reader) && steps_ >= 0;
+  if (!buffer_.Load(reader, network_.outputs()) || steps_ < 0) return false;
+  return static_cast<std::int64_t>(buffer_.size()) == std::min<std::int64_t>(steps_, options_.buffer);
 }
 
 }  // namespace tautline

@@ -4,6 +4,19 @@
 
 namespace tautline {
 
+std::array<Velocity, 9> BasicVelocities(const TetherEnvOptions& options) {
+  const double speed = options.speed_m_per_s, turn = options.turn_rad_per_s;
+  return {Velocity{speed, 0},
+          {speed, 0.25 * turn},
+          {speed, -0.25 * turn},
+          {speed, 0.5 * turn},
+          {speed, -0.5 * turn},
+          {speed, turn},
+          {speed, -turn},
+          {0, turn},
+          {0, -turn}};
+}
+
 Polyline DrivenMotion::Path() const {
   Polyline path;
   for (const RobotPose& pose : poses) {

@@ -2,6 +2,7 @@
 #ifndef TAUTLINE_PLANNERS_CONTACT_FREE_DRIVEN_MOTION_H_
 #define TAUTLINE_PLANNERS_CONTACT_FREE_DRIVEN_MOTION_H_
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct Velocity {
   /// Whether both parts are equal.
   friend bool operator==(const Velocity&, const Velocity&) = default;
 };
+
+/// Straight on, arcs of three radii to either side, turns on the spot: what searches and policies choose among.
+std::array<Velocity, 9> BasicVelocities(const TetherEnvOptions& options);
 
 /// What some steps cost: minus the rewards of the environment, without those for goal and reference.
 struct MotionCosts {

@@ -38,20 +38,6 @@ Velocity Pursue(const RobotPose& pose, Point p, const TetherEnvOptions& options)
   return {options.speed_m_per_s, std::clamp(options.speed_m_per_s * curvature, -turn, turn)};
 }
 
-/// Straight on, arcs of three radii to either side, turns on the spot.
-std::array<Velocity, 9> Alternatives(const TetherEnvOptions& options) {
-  const double speed = options.speed_m_per_s, turn = options.turn_rad_per_s;
-  return {Velocity{speed, 0},
-          {speed, 0.25 * turn},
-          {speed, -0.25 * turn},
-          {speed, 0.5 * turn},
-          {speed, -0.5 * turn},
-          {speed, turn},
-          {speed, -turn},
-          {0, turn},
-          {0, -turn}};
-}
-
 /// The nearer point of an intent in the plane.
 Point PlaceOf(const DriverIntent& intent, const TetherEnv& env) {
   const RobotPose& pose = env.pose();
@@ -138,14 +124,16 @@ DriverIntent DriverPolicy::Want(const TetherEnv& env, std::size_t waypoint) {
 
 Velocity DriverPolicy::Choose(const TetherEnv& env, std::size_t waypoint) {
   const TetherEnvOptions& with = env.options();
-  const Velocity wanted = Pursue(env.pose(), PlaceOf(Want(env, waypoint), env), with);
+  // A network that was not taught well may want nothing that is a number.
+  const Point place = PlaceOf(Want(env, waypoint), env);
+  const Velocity wanted = IsFinite(place) ? Pursue(env.pose(), place, with) : FollowReference(env, waypoint);
   if (options_.look_ahead_steps <= 0) return wanted;
   const auto cost_of = [&](const Velocity& velocity) {
     return options_.caution * CostAhead(env, velocity, waypoint, options_.look_ahead_steps);
   };
   Velocity best = wanted;
   double least = cost_of(wanted);
-  for (const Velocity& other : Alternatives(with)) {
+  for (const Velocity& other : BasicVelocities(with)) {
     const double turn = std::abs(other.turn_rad_per_s - wanted.turn_rad_per_s) / with.turn_rad_per_s;
     const double off = turn + (other.speed_m_per_s == wanted.speed_m_per_s ? 0 : 1);
     if (off >= least) continue;

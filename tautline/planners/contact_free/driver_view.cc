@@ -44,12 +44,16 @@ class Frame {
   double reach_m_;
 };
 
+/// Where the ground around a ray is free for less than this share of its length, the ray ends: it would never get
+/// through a cell of the map that is all but blocked.
+constexpr double kLeastStep = 1e-6;
+
 /// How far the ground is surely free along a ray: steps as long as the ground around is free.
 double FreeAlong(const ContactMap& map, Point from, Point direction, double reach_m) {
   double along_m = 0;
   while (along_m < reach_m) {
     const double clear_m = map.ClearAround(from + along_m * direction);
-    if (clear_m <= 0) return along_m;
+    if (clear_m <= kLeastStep * reach_m) return along_m;
     along_m += clear_m;
   }
   return reach_m;

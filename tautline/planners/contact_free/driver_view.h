@@ -20,7 +20,8 @@ inline constexpr int kViewAhead = 5;
 /// the base in shares of the cable, the cable on the reel, and how far the robot is from the reference.
 inline constexpr int kViewSize = 2 * kViewRays + 3 * kViewNodes + 2 * kViewAhead + 4;
 
-/// Lengths in robot radii, cut off at kViewReach and divided by it; places in the robot's frame. All within [-1, 1].
+/// Lengths in robot radii, cut off at kViewReach and divided by it, the nodes' distances from blocked ground at a
+/// quarter of that; places in the robot's frame. All within [-1, 1].
 using DriverView = std::array<float, kViewSize>;
 /// How far the robot sees, robot radii.
 inline constexpr double kViewReach = 10;

@@ -23,7 +23,7 @@ std::optional<DrivenMotion> SearchOn(const Scene& scene, const CollectOptions& o
   ContactFreeOptions search;
   search.env = options.env;
   search.env.max_steps = 5000;
-  search.budget = options.budget;
+  search.last_search = options.last_search;
   auto plan = PlanContactFree(scene, search);
   if (!plan || plan->status != ContactFreeStatus::kSolved) return std::nullopt;
   return std::move(plan->motion);
@@ -35,16 +35,6 @@ TetherEnv After(TetherEnv env, std::span<const Velocity> motion) {
     if (env.StepWith(velocity.speed_m_per_s, velocity.turn_rad_per_s).ends()) break;
   }
   return env;
-}
-
-/// The scene in which the robot stands where the environment has it.
-Scene SceneFrom(const Scene& scene, const TetherEnv& env) {
-  Scene now = scene;
-  Polyline laid(env.cable().nodes().begin(), env.cable().nodes().end());
-  laid.push_back(env.pose().at);
-  now.tether->laid = std::move(laid);
-  now.robot.heading = env.pose().heading_rad;
-  return now;
 }
 
 /// Drives the motion and notes views and choices. The reference is that of the motion itself, pulled tight, so that
@@ -134,7 +124,7 @@ Demonstrations CollectDemonstrations(std::uint64_t seed, const CollectOptions& o
   Rng rng(seed + 1);
   for (int k = 0; k < options.recoveries && !driven.empty(); ++k) {
     const auto steps = static_cast<std::size_t>(rng.Uniform() * static_cast<double>(driven.size()));
-    const Scene now = SceneFrom(course->scene, After(course->env, std::span(driven).first(steps)));
+    const Scene now = SceneAfter(course->scene, After(course->env, std::span(driven).first(steps)));
     if (const auto motion = SearchOn(now, options)) Note(now, *motion, options, notes);
   }
   return notes;
@@ -147,7 +137,7 @@ DriverView Mirrored(const DriverView& view) {
     const auto to = mirrored.begin() + static_cast<std::ptrdiff_t>(part * kViewRays);
     std::reverse_copy(from + 1, from + kViewRays, to + 1);
   }
-  std::size_t at = 2 * kViewRays;
+  std::size_t at = std::size_t{2} * kViewRays;
   for (int node = 0; node < kViewNodes; ++node, at += 3) mirrored[at + 1] = -view[at + 1];
   for (int ahead = 0; ahead < kViewAhead; ++ahead, at += 2) mirrored[at + 1] = -view[at + 1];
   return mirrored;

@@ -42,14 +42,14 @@ std::optional<Course> CourseOf(std::uint64_t seed, const TetherEnvOptions& optio
 /// What is collected.
 struct CollectOptions {
   TetherEnvOptions env;                  ///< The robot.
-  std::int64_t budget = 20'000;          ///< States of a search.
-  const DriverPolicy* policy = nullptr;  ///< Whose mistakes count.
+  std::int64_t last_search = 20'000;     ///< As in ContactFreeOptions.
+  const DriverPolicy* policy = nullptr;  ///< Whose mistakes are shown the way out; null: the course itself is.
   int recoveries = 3;                    ///< Of a course.
 };
 
-/// What the search does on the course of a seed; with a policy, also what it does from `recoveries` states into which
-/// that policy came by itself, so that it learns to get out of its own mistakes [Ross2011]. Searches take
-/// `budget` states at most. Deterministic: seeds may be spread over threads. About a second for each search.
+/// What the search does on the course of a seed; with a policy, what it does instead from `recoveries` states into
+/// which that policy came by itself, so that it learns to get out of its own mistakes [Ross2011]. Deterministic: seeds
+/// may be spread over threads. About a second for each search.
 Demonstrations CollectDemonstrations(std::uint64_t seed, const CollectOptions& options);
 
 /// How the network is taught.

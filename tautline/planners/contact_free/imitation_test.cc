@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tautline/base/test_scale.h"
 #include "tautline/network/onnx_file.h"
@@ -71,6 +72,22 @@ TEST(DriverViewRandom, InAMirrorIsTheMirroredView) {
   EXPECT_GT(seen, 10 * courses);
 }
 
+TEST(DriverView, EndsAtCellsThatAreAllButBlocked) {
+  // The wall keeps so far from the middle of a column of cells that a millionth of a millionth of a metre is free
+  // there.
+  const double cell = 0.125, half_diagonal = cell * std::sqrt(0.5), middle = 6.5 * cell;
+  const double wall = middle + ((1 + 1e-6) * half_diagonal + 1e-12) / (1 - 1e-6);
+  const FreeSpace space = BuildFreeSpace({.outline = Ring{{0, 0}, {wall, 0}, {wall, 2}, {0, 2}}}).value();
+  const ContactMap map(space, cell);
+  ASSERT_GT(map.ClearAround({middle, 1.05}), 0);
+  ASSERT_LT(map.ClearAround({middle, 1.05}), 1e-11);
+  const auto env = TetherEnv::Create(
+      map, {.laid = {{0.4, 1.05}}, .heading_rad = 0, .cable_length_m = 2, .goal = {0.4, 1.6}}, {.robot_radius_m = 0.1});
+  ASSERT_TRUE(env);
+  const DriverView view = LookAround(*env, 0);
+  EXPECT_NEAR(view[0], wall - 0.4, cell);
+}
+
 TEST(DriverView, MirroredTwiceIsTheSame) {
   DriverView view;
   for (std::size_t i = 0; i < view.size(); ++i) view[i] = static_cast<float>(i) / 100;
@@ -131,6 +148,21 @@ TEST(DriverPolicy, EvenWithoutKnowledgeItComesToTheGoalOrHitsNothing) {
     ++driven;
   }
   EXPECT_GT(driven, 0);
+}
+
+TEST(DriverPolicy, WithoutNumbersItFollowsTheReference) {
+  Mlp nonsense({kViewSize, 8, kIntentSize});
+  for (float& parameter : nonsense.parameters()) parameter = std::numeric_limits<float>::quiet_NaN();
+  const auto course = CourseOf(2, {});
+  ASSERT_TRUE(course);
+  for (const int look_ahead : {0, 40}) {
+    DriverPolicy policy(nonsense, PortableKernels(), {.look_ahead_steps = look_ahead});
+    const DrivenMotion motion = policy.Drive(course->env);
+    ASSERT_FALSE(motion.velocities.empty());
+    for (const Velocity& velocity : motion.velocities) {
+      ASSERT_TRUE(std::isfinite(velocity.speed_m_per_s) && std::isfinite(velocity.turn_rad_per_s));
+    }
+  }
 }
 
 TEST(DriverPolicy, RefusesOtherNetworks) {

@@ -54,7 +54,7 @@ struct Candidate {
   int contacts() const { return motion.costs.cable_obstacle_steps + motion.costs.cable_robot_steps; }
 };
 
-/// For a search, which does not tell how far it is.
+/// For a part of the work that does not tell how far it is.
 KeepGoing KeepGoingOf(const Watcher& watch, double share) {
   if (!watch) return {};
   return [watch, share] { return watch("search", share); };
@@ -149,7 +149,7 @@ class Planning {
         result_.shortest_m * (options_.costs.per_metre - env.options().reward.time / (speed * env.options().dt_s));
     PrepareMargin();
     for (const Pass& pass : kPasses) {
-      if (result_.expansions >= options_.budget || IsGoodEnough()) break;
+      if (result_.expansions >= options_.last_search || IsGoodEnough()) break;
       if (options_.watch && !options_.watch("search", Share())) break;
       SearchWith(env, pass);
     }
@@ -167,9 +167,10 @@ class Planning {
     result_.tether = Shorten(space_, way).path;
   }
 
-  /// Of the budget that is used up.
+  /// Of the states that may be expanded: so many are.
   double Share() const {
-    return std::min(1.0, static_cast<double>(result_.expansions) / static_cast<double>(options_.budget));
+    const auto most = static_cast<double>(std::min(options_.last_search, options_.budget));
+    return std::min(1.0, static_cast<double>(result_.expansions) / most);
   }
 
   /// A motion of tracking, which touches nothing.
@@ -195,19 +196,21 @@ class Planning {
   }
 
   void SearchWith(const TetherEnv& env, const Pass& pass) {
+    const std::int64_t left = options_.budget - result_.expansions;
     const double margin_m = pass.keeps_margin ? options_.margin_m : 0;
-    if (margin_m > 0 && !wary_) return;
+    if (left <= 0 || (margin_m > 0 && !wary_)) return;
     const TetherEnv& driven_in = margin_m > 0 ? *wary_ : env;
     const SearchProblem problem{.env = &driven_in,
                                 .guide = &*guide_,
                                 .rays = &space_.rays(),
                                 .costs = {options_.costs.per_metre, margin_m > 0 ? options_.costs.cable_margin_m : 0},
+                                .budget = left,
                                 .keep_going = KeepGoingOf(options_.watch, Share())};
     SearchGrain grain{.width = pass.width, .crowd = pass.headings == 1 ? 12 : 6, .crowd_headings = pass.headings};
     const double primitive_m = grain.primitive_steps * env.options().dt_s * env.options().speed_m_per_s;
     grain.layers = kSpareLayers + static_cast<int>(std::ceil(kDetour * Length(way_) / primitive_m));
     const SearchOutcome outcome = SearchMotion(problem, grain);
-    result_.expansions += std::max<std::int64_t>(1, outcome.expansions);
+    result_.expansions += outcome.expansions;
     std::vector<std::pair<double, Polyline>> paths;
     for (const std::vector<Velocity>& motion : outcome.motions) {
       DrivenMotion driven = DriveMotion(env, motion);
@@ -240,14 +243,15 @@ class Planning {
   /// Bends a path where the margin counts, and offers what comes of it.
   void Refine(const TetherEnv& env, const TetherEnv& wary, const Polyline& path, std::vector<double> steps_m,
               int rounds) {
-    const RefinedPath refined = RefinePath(
-        wary, path, {.per_metre = options_.costs.per_metre, .steps_m = std::move(steps_m), .rounds = rounds});
+    const RefinedPath refined = RefinePath(wary, path,
+                                           {.per_metre = options_.costs.per_metre,
+                                            .steps_m = std::move(steps_m),
+                                            .rounds = rounds,
+                                            .keep_going = KeepGoingOf(options_.watch, Share())});
     if (!std::isfinite(refined.cost)) return;
     // Where nothing is grown, the robot does not shrink back from the margin.
     const TrackResult track = TrackPath(env, refined.path);
-    std::vector<Velocity> commands;
-    for (const DriveCommand& c : track.commands) commands.push_back({c.speed_m_per_s, c.turn_rad_per_s});
-    Offer(DriveMotion(env, commands), refined.path, tracked_);
+    Offer(DriveMotion(env, track.commands), refined.path, tracked_);
   }
 
   /// Keeps the motion if none is better.

@@ -3,6 +3,7 @@
 #define TAUTLINE_PLANNERS_CONTACT_FREE_PLAN_CONTACT_FREE_H_
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,10 +19,11 @@ namespace tautline {
 struct ContactFreeOptions {
   /// The robot, the cable, what contacts cost. No noise; the scene's radius replaces this one.
   TetherEnvOptions env = {.max_steps = 5000};
-  SearchCosts costs;             ///< What else counts.
-  double margin_m = 0.1;         ///< Kept from obstacles by robot and cable, as far as that goes.
-  std::int64_t budget = 60'000;  ///< States after which no wider search begins; the first is whole.
-  Watcher watch = {};            ///< Told how far the search has come.
+  SearchCosts costs;                  ///< What else counts.
+  double margin_m = 0.1;              ///< Kept from obstacles by robot and cable, as far as that goes.
+  std::int64_t last_search = 60'000;  ///< No wider search begins after so many states; one that has begun goes on.
+  std::int64_t budget = std::numeric_limits<std::int64_t>::max();  ///< States that are expanded at most.
+  Watcher watch = {};  ///< Told how far the search has come; it can stop it.
 };
 
 /// How the planning ended.
@@ -46,9 +48,9 @@ struct ContactFreeResult {
 
 /// Plans on the scene's world, tether and goal. Infeasible: robot or goal have no room, no way leads to the goal, the
 /// laid cable crosses an obstacle or is longer than all of it, or even the shortest tether to the goal is too long.
-/// Searches grow wider until one finds a motion without contacts or the budget is used up; the motion of least cost is
-/// the answer. Errors: those of RequireTetherAndGoal and BuildFreeSpace, or a number of the options makes no sense.
-/// Deterministic.
+/// Searches grow wider until one finds a motion without contacts, or as the options end it; the motion with the fewest
+/// contacts is the answer, those with the robot counting half, and of these the one that costs least. Errors: those of
+/// RequireTetherAndGoal and BuildFreeSpace, or a number of the options makes no sense. Deterministic.
 [[nodiscard]] Expected<ContactFreeResult> PlanContactFree(const Scene& scene, const ContactFreeOptions& options = {});
 
 }  // namespace tautline

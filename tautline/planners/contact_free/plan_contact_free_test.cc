@@ -123,6 +123,18 @@ TEST(PlanContactFree, StopsWhenTold) {
   EXPECT_EQ(result.reason, "budget_exceeded");
 }
 
+TEST(PlanContactFree, KeepsItsBudget) {
+  const Scene scene = SceneOf({Rectangle(4, 0, 2, 7)}, {.base = {2, 5}, .length = 20}, {8.5, 4});
+  const std::int64_t enough = Plan(scene).expansions;
+  for (const std::int64_t budget : {std::int64_t{1}, std::int64_t{50}, enough - 1}) {
+    EXPECT_EQ(Plan(scene, {.budget = budget}).expansions, budget);
+  }
+  EXPECT_EQ(Plan(scene, {.budget = 1}).reason, "budget_exceeded");
+  EXPECT_EQ(Plan(scene, {.budget = 10 * enough}).expansions, enough);
+  // A search that has begun goes on: the first one finds what there is.
+  EXPECT_EQ(Plan(scene, {.last_search = 1}).status, ContactFreeStatus::kSolved);
+}
+
 TEST(PlanContactFree, SaysWhatIsMissing) {
   EXPECT_FALSE(PlanContactFree(Scene{.world = {.outline = Rectangle(0, 0, 9, 9)}}));
   Scene scene = SceneOf({}, {.base = {2, 6}, .length = 5}, {8, 6});
@@ -142,7 +154,7 @@ TEST(PlanContactFreeRandom, CostsAreThoseOfTheEnvironment) {
     }
     const Scene scene =
         SceneOf(rectangles, {.base = {1.5, 1.5}, .length = 22}, {rng.Uniform(9.5, 10.8), rng.Uniform(7, 10.8)});
-    const ContactFreeResult result = Plan(scene, {.budget = 3000});
+    const ContactFreeResult result = Plan(scene, {.last_search = 3000});
     if (result.status != ContactFreeStatus::kSolved) continue;
     ++solved;
     SCOPED_TRACE(trial);

@@ -38,7 +38,7 @@ double PurePursuit::AngleTo(const RobotPose& pose, Point target) {
 }
 
 void PurePursuit::MoveOn(Point robot, double reach_m) {
-  const double from = along_m_, to = std::min(along_m_ + reach_m, length_m());
+  const double from = along_m_, to = std::min(along_m_ + reach_m, reached_m_.back());
   double least = Distance(robot, PointAt(from));
   for (std::size_t i = 1; i < path_.size() && reached_m_[i - 1] <= to; ++i) {
     if (reached_m_[i] <= from || reached_m_[i] == reached_m_[i - 1]) continue;
@@ -53,7 +53,7 @@ void PurePursuit::MoveOn(Point robot, double reach_m) {
   }
 }
 
-DriveCommand PurePursuit::Steer(const RobotPose& pose, double lookahead_m) const {
+Velocity PurePursuit::Steer(const RobotPose& pose, double lookahead_m) const {
   TAUTLINE_CHECK(lookahead_m > 0);
   const Point target = PointAt(along_m_ + lookahead_m);
   const double distance = Distance(pose.at, target);
@@ -67,7 +67,7 @@ DriveCommand PurePursuit::Steer(const RobotPose& pose, double lookahead_m) const
   return {speed, curvature * speed};
 }
 
-DriveCommand PurePursuit::TurnTowards(const RobotPose& pose, double lookahead_m) const {
+Velocity PurePursuit::TurnTowards(const RobotPose& pose, double lookahead_m) const {
   const Point target = PointAt(along_m_ + lookahead_m);
   const double angle = AngleTo(pose, target), most = options_.turn_rad_per_s;
   if (Distance(pose.at, target) <= kAtPoint || std::abs(angle) <= kAligned) return {};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tautline/geometry/polygon.h"
-#include "tautline/planners/contact_free/tether_env.h"
+#include "tautline/planners/contact_free/driven_motion.h"
 
 namespace tautline {
 
@@ -14,12 +14,6 @@ struct PurePursuitOptions {
   double speed_m_per_s = 1;   ///< Going straight. Positive.
   double turn_rad_per_s = 2;  ///< At most; where the arc is tighter the robot goes slower. Positive.
   double dt_s = 0.1;          ///< For which a command holds. Positive.
-};
-
-/// A command for one step.
-struct DriveCommand {
-  double speed_m_per_s = 0;   ///< Forwards.
-  double turn_rad_per_s = 0;  ///< To the left.
 };
 
 /// Follows one path: the robot steers along the arc to the point of the path that lies the lookahead ahead of where it
@@ -35,15 +29,10 @@ class PurePursuit {
 
   /// Where to drive from a pose, with a lookahead; a command without motion when the robot is at the end. Requires a
   /// positive lookahead. O(points within it).
-  DriveCommand Steer(const RobotPose& pose, double lookahead_m) const;
+  Velocity Steer(const RobotPose& pose, double lookahead_m) const;
 
   /// Turns on the spot towards the same point; no motion when the robot looks at it, or is there.
-  DriveCommand TurnTowards(const RobotPose& pose, double lookahead_m) const;
-
-  /// How far along the path the robot is, metres.
-  double along_m() const { return along_m_; }
-  /// All of the path, metres.
-  double length_m() const { return reached_m_.back(); }
+  Velocity TurnTowards(const RobotPose& pose, double lookahead_m) const;
 
  private:
   Point PointAt(double along_m) const;

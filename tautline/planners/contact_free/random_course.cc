@@ -75,8 +75,9 @@ void AddRooms(Yard& yard, Rng& rng) {
     const double length = rng.Uniform(0.6, 4.5), width = rng.Uniform(0.5, 1.4);
     Box box = BoxAt(yard.Draw(rng), tall ? width : length, tall ? length : width);
     // A third of them stand at a wall.
-    if (rng.UniformInt(0, 2) == 0)
+    if (rng.UniformInt(0, 2) == 0) {
       box = BoxAt({rng.UniformInt(0, 1) == 0 ? 0 : yard.size.x - box.size().x, box.low.y}, box.size().x, box.size().y);
+    }
     if (box.high.x <= yard.size.x && box.high.y <= yard.size.y) yard.Try(box);
   }
 }
@@ -134,13 +135,18 @@ Scene RandomCourse(Rng& rng) {
   }
 }
 
-Scene NextCourse(const Scene& course, const TetherEnv& driven, Rng& rng) {
-  Scene next = course;
+Scene SceneAfter(const Scene& scene, const TetherEnv& driven) {
+  Scene now = scene;
   const auto nodes = driven.cable().nodes();
   Polyline laid(nodes.begin(), nodes.end());
   laid.push_back(driven.pose().at);
-  next.tether->laid = laid;
-  next.robot.heading = driven.pose().heading_rad;
+  now.tether->laid = std::move(laid);
+  now.robot.heading = driven.pose().heading_rad;
+  return now;
+}
+
+Scene NextCourse(const Scene& course, const TetherEnv& driven, Rng& rng) {
+  Scene next = SceneAfter(course, driven);
   const auto goal = DrawPlace(YardOf(course), rng, driven.pose().at);
   if (goal) next.goal = *goal;
   return next;

@@ -13,6 +13,9 @@ namespace tautline {
 /// is long enough for most ways. The robot stands at its base.
 Scene RandomCourse(Rng& rng);
 
+/// The scene in which the robot stands where the environment has it, with the cable as it lies.
+Scene SceneAfter(const Scene& scene, const TetherEnv& driven);
+
 /// The same course with the cable as a motion left it, and another goal: scenario 2 of [Shimada2024, Sec. 6.2].
 Scene NextCourse(const Scene& course, const TetherEnv& driven, Rng& rng);
 

@@ -43,9 +43,7 @@ class Refining {
     Try(std::move(sparse));
     if (std::isfinite(best_.cost)) Descend();
     if (std::isfinite(best_.cost) && !TouchesAnything(best_.track)) LeaveOut();
-    const int trials = best_.trials;
     if (dense.cost < best_.cost) best_ = dense;
-    best_.trials = trials;
     return std::move(best_);
   }
 
@@ -80,7 +78,6 @@ class Refining {
       for (int round = 0; round < options_.rounds; ++round) {
         const double before = best_.cost;
         for (std::size_t i = 1; i < best_.path.size(); ++i) {
-          if (options_.keep_going && !options_.keep_going()) return;
           Move(i, step_m);
         }
         if (before - best_.cost < 0.01 * options_.per_metre) break;
@@ -113,7 +110,8 @@ class Refining {
   }
 
   bool Try(Polyline path) {
-    ++best_.trials;
+    stopped_ = stopped_ || (options_.keep_going && !options_.keep_going());
+    if (stopped_) return false;
     TrackResult track = TrackPath(env_, path);
     if (!track.success()) return false;
     const double cost = options_.per_metre * track.driven_m - track.reward;
@@ -127,6 +125,7 @@ class Refining {
   const TetherEnv& env_;
   const RefinePathOptions& options_;
   RefinedPath best_;
+  bool stopped_ = false;
 };
 
 }  // namespace

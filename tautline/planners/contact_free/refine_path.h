@@ -23,13 +23,12 @@ struct RefinedPath {
   Polyline path;      ///< From the robot on.
   TrackResult track;  ///< Of it.
   double cost = 0;    ///< Of the track; infinite where it does not reach the goal.
-  int trials = 0;     ///< Paths that were tracked.
 };
 
 /// Leaves out points of a path, moves the others sideways, along and to between their neighbours, and keeps what makes
 /// the tracked robot's cost less: what a bend does to the cable long after it is counted in full. An environment whose
 /// rewards count the goal or the reference would count them. Requires a path of a point or more from where the robot
-/// stands. Deterministic. O(trials * steps of a drive).
+/// stands. Deterministic. O(points * steps * rounds) drives.
 RefinedPath RefinePath(const TetherEnv& env, const Polyline& path, const RefinePathOptions& options = {});
 
 }  // namespace tautline

@@ -55,7 +55,7 @@ void ReplayBuffer::Save(StateWriter& writer) const {
   writer.Text({reinterpret_cast<const char*>(actions_.data()), actions_.size()});
 }
 
-bool ReplayBuffer::Load(StateReader& reader) {
+bool ReplayBuffer::Load(StateReader& reader, int actions) {
   const std::int64_t size = reader.Whole(), next = reader.Whole();
   const auto limit = static_cast<std::int64_t>(capacity_);
   if (size < 0 || size > limit || next < 0 || next >= limit) return false;
@@ -66,10 +66,10 @@ bool ReplayBuffer::Load(StateReader& reader) {
     if (read.size() != values->size()) return false;
     *values = std::move(read);
   }
-  const std::string_view actions = reader.Text();
-  if (actions.size() != actions_.size()) return false;
-  std::copy(actions.begin(), actions.end(), actions_.begin());
-  return reader.whole();
+  const std::string_view done = reader.Text();
+  if (done.size() != actions_.size()) return false;
+  std::copy(done.begin(), done.end(), actions_.begin());
+  return reader.whole() && std::all_of(actions_.begin(), actions_.end(), [&](int action) { return action < actions; });
 }
 
 }  // namespace tautline

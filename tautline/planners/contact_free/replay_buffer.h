@@ -47,8 +47,9 @@ class ReplayBuffer {
 
   /// Writes all of it.
   void Save(StateWriter& writer) const;
-  /// Goes on from what was saved; false where it does not fit, and the buffer is of no use then.
-  bool Load(StateReader& reader);
+  /// Goes on from what was saved; false where it does not fit, or has an action that is none of `actions`, and the
+  /// buffer is of no use then.
+  bool Load(StateReader& reader, int actions);
 
  private:
   std::size_t capacity_, inputs_;

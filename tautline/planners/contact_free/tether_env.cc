@@ -9,6 +9,7 @@
 
 #include "tautline/base/check.h"
 #include "tautline/base/rng.h"
+#include "tautline/homotopy/taut_path.h"
 #include "tautline/scene/check_tether.h"
 
 namespace tautline {
@@ -19,8 +20,13 @@ constexpr double kPi = std::numbers::pi;
 /// So often a start is drawn that may lie in an obstacle; then it is left where it is.
 constexpr int kStartTrials = 100;
 
-/// The same angle in (-pi, pi]. Requires one within three turns of it.
+/// Finer observations would be no numbers far out, and noise beyond the largest coordinate is none of a start.
+constexpr double kLeastGrid = 1e-9, kMostNoise = 1e15;
+
+/// The same angle in (-pi, pi]. Requires a finite one.
 double Wrap(double rad) {
+  // Whole turns one by one only where they are few.
+  if (std::abs(rad) > 6 * kPi) rad = std::remainder(rad, 2 * kPi);
   while (rad > kPi) rad -= 2 * kPi;
   while (rad <= -kPi) rad += 2 * kPi;
   return rad;
@@ -42,11 +48,12 @@ double HeadingOf(const TetherTask& task) {
   return task.goal == robot ? 0 : angle(task.goal - robot);
 }
 
+Point TailAt(const RobotPose& pose, double radius_m) { return pose.at - radius_m * Direction(pose.heading_rad); }
+
 /// The laid cable as far as the tail: without its last `radius`, or straight from the base where it is no longer.
 Polyline LaidToTail(const Polyline& laid, Point tail, double radius_m) {
   Polyline kept = laid;
   while (kept.size() > 1 && Distance(kept.back(), laid.back()) <= radius_m) kept.pop_back();
-  if (kept.back() == laid.back()) kept = {laid.front()};
   kept.push_back(tail);
   return kept;
 }
@@ -58,15 +65,17 @@ Expected<void> CheckNumbers(const TetherEnvOptions& options) {
   if (!positive(options.link_length_m)) return InvalidInput("the length of a link must be positive and finite");
   if (!positive(options.dt_s)) return InvalidInput("the time of a step must be positive and finite");
   if (!positive(options.goal_radius_m)) return InvalidInput("the radius of the goal must be positive and finite");
-  if (!positive(options.grid_m) || !positive(options.grid_rad)) {
-    return InvalidInput("the grid of observations must be positive and finite");
+  if (!positive(options.grid_m) || !positive(options.grid_rad) ||
+      std::min(options.grid_m, options.grid_rad) < kLeastGrid) {
+    return InvalidInput("the grid of observations must be at least 1e-9 and finite");
   }
   if (!not_negative(options.speed_m_per_s) || !not_negative(options.turn_rad_per_s)) {
     return InvalidInput("speeds must be finite and not negative");
   }
   if (options.turn_rad_per_s * options.dt_s > kPi) return InvalidInput("a step turns by half a turn at most");
-  if (!not_negative(options.start_noise_m) || !not_negative(options.heading_noise_rad)) {
-    return InvalidInput("the noise of the start must be finite and not negative");
+  if (!not_negative(options.start_noise_m) || !not_negative(options.heading_noise_rad) ||
+      std::max(options.start_noise_m, options.heading_noise_rad) > kMostNoise) {
+    return InvalidInput("the noise of the start must be 0 or larger, and at most 1e15");
   }
   const RewardOptions& reward = options.reward;
   for (const double number :
@@ -85,9 +94,11 @@ Expected<void> CheckTask(const ContactMap& map, const TetherTask& task, const Te
   if (!finite || (task.heading_rad && !std::isfinite(*task.heading_rad))) {
     return InvalidInput("coordinates and heading must be finite");
   }
-  // The robot's own radius is between base and tail when it stands on its base.
-  const double least = std::max(Length(task.laid), options.robot_radius_m);
-  if (!std::isfinite(task.cable_length_m) || task.cable_length_m < least) {
+  // The robot's own radius is between base and tail when it stands on its base, and twice where it looks back along
+  // its cable.
+  const Point tail = TailAt({task.laid.back(), HeadingOf(task)}, options.robot_radius_m);
+  const double least = std::max(Length(task.laid), Length(LaidToTail(task.laid, tail, options.robot_radius_m)));
+  if (!std::isfinite(task.cable_length_m) || task.cable_length_m * (1 + kLengthTolerance) < least) {
     return InvalidInput("the cable must reach from the base to the robot's tail: make it at least " +
                         std::to_string(least) + " m long");
   }
@@ -139,12 +150,12 @@ Observation TetherEnv::Reset(std::uint64_t seed) {
   if (with.heading_noise_rad > 0) {
     pose_.heading_rad = Wrap(start.heading_rad + rng.Uniform(-with.heading_noise_rad, with.heading_noise_rad));
     // The cable that belongs to the noise is the one that the robot would have dragged there.
-    if (!cable_.Pull(TailAt(pose_))) StartAt(start);
+    if (!cable_.Pull(Tail(pose_))) StartAt(start);
   }
   for (int trial = 0; with.start_noise_m > 0 && trial < kStartTrials; ++trial) {
     const Point by{rng.Uniform(-1, 1), rng.Uniform(-1, 1)};
     const RobotPose moved{start.at + with.start_noise_m * by, pose_.heading_rad};
-    if (Norm(by) > 1 || map().DiscTouches(moved.at, with.robot_radius_m) || !cable_.Pull(TailAt(moved))) continue;
+    if (Norm(by) > 1 || map().DiscTouches(moved.at, with.robot_radius_m) || !cable_.Pull(Tail(moved))) continue;
     pose_ = moved;
     break;
   }
@@ -156,13 +167,11 @@ void TetherEnv::StartAt(const RobotPose& pose) {
   pose_ = pose;
   steps_ = 0;
   passed_.assign(task().waypoints.size(), 0);
-  cable_ = CableChain(LaidToTail(task().laid, TailAt(pose), with.robot_radius_m),
+  cable_ = CableChain(LaidToTail(task().laid, Tail(pose), with.robot_radius_m),
                       {.length_m = task().cable_length_m, .link_length_m = with.link_length_m});
 }
 
-Point TetherEnv::TailAt(const RobotPose& pose) const {
-  return pose.at - options().robot_radius_m * Direction(pose.heading_rad);
-}
+Point TetherEnv::Tail(const RobotPose& pose) const { return TailAt(pose, options().robot_radius_m); }
 
 EnvStep TetherEnv::Step(TetherAction action) {
   const TetherEnvOptions& with = options();
@@ -198,7 +207,7 @@ bool TetherEnv::Move(double speed_m_per_s, double turn_rad_per_s, EnvStep& step)
   moved.heading_rad = Wrap(pose_.heading_rad + turn_rad_per_s * dt);
   step.robot_obstacle = map().DiscTouches(moved.at, options().robot_radius_m);
   if (step.robot_obstacle) return false;
-  step.held = !cable_.Pull(TailAt(moved));
+  step.held = !cable_.Pull(Tail(moved));
   if (step.held) return false;
   pose_ = moved;
   return true;

@@ -177,8 +177,49 @@ TEST(TetherEnv, SaysWhatIsWrongWithATask) {
   for (const TetherEnvOptions& options :
        {TetherEnvOptions{.robot_radius_m = 0}, TetherEnvOptions{.link_length_m = nan}, TetherEnvOptions{.dt_s = -1},
         TetherEnvOptions{.turn_rad_per_s = 400}, TetherEnvOptions{.max_steps = 0}, TetherEnvOptions{.grid_m = 0},
-        TetherEnvOptions{.reward = {.goal = nan}}, TetherEnvOptions{.reward = {.deviation_from_radii = nan}}}) {
+        TetherEnvOptions{.grid_m = 1e-320}, TetherEnvOptions{.start_noise_m = 1e300},
+        TetherEnvOptions{.heading_noise_rad = 1e300}, TetherEnvOptions{.reward = {.goal = nan}},
+        TetherEnvOptions{.reward = {.deviation_from_radii = nan}}}) {
     EXPECT_NE(fault(good, options), "none");
+  }
+}
+
+TEST(TetherEnv, TheCableNeedsToReachTheTailAndNoMore) {
+  const Room room;
+  const auto can = [&](double heading_rad, double length_m) {
+    const TetherTask task{
+        .laid = {{2, 6}, {5, 6}}, .heading_rad = heading_rad, .cable_length_m = length_m, .goal = {9, 6}};
+    return TetherEnv::Create(*room.map, task, {}).has_value();
+  };
+  EXPECT_TRUE(can(0, 3));
+  // As long up to rounding, as sums of many segments are.
+  EXPECT_TRUE(can(0, 3 * (1 - 1e-12)));
+  EXPECT_FALSE(can(0, 2.999));
+  // Looking back, the tail is half a metre beyond the robot's centre.
+  EXPECT_FALSE(can(std::numbers::pi, 3.4));
+  EXPECT_TRUE(can(std::numbers::pi, 3.5));
+}
+
+TEST(TetherEnv, AnyFiniteTurnIsATurn) {
+  const Room room;
+  TetherEnv env = MakeEnv(room, {.laid = {{2, 6}}, .heading_rad = 0, .cable_length_m = 9, .goal = {10, 10}});
+  for (const double turn : {70.0, -400.0, 1e12, -1e300}) {
+    const double before = env.pose().heading_rad;
+    env.StepWith(0, turn);
+    const double heading = env.pose().heading_rad;
+    EXPECT_LE(std::abs(heading), std::numbers::pi);
+    if (std::abs(turn) > 1000) continue;  // A double does not say where in its turn that is.
+    EXPECT_NEAR(std::sin(heading), std::sin(before + turn * 0.1), 1e-9) << turn;
+    EXPECT_NEAR(std::cos(heading), std::cos(before + turn * 0.1), 1e-9) << turn;
+  }
+}
+
+TEST(TetherEnv, AStartMayLookAnywhere) {
+  const Room room;
+  TetherEnv env = MakeEnv(room, {.laid = {{6, 6}}, .cable_length_m = 9, .goal = {10, 10}}, {.heading_noise_rad = 1e12});
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    env.Reset(seed);
+    EXPECT_LE(std::abs(env.pose().heading_rad), std::numbers::pi);
   }
 }
 

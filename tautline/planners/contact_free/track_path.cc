@@ -50,7 +50,7 @@ class Tracking {
   static bool Refused(const EnvStep& step) { return step.robot_obstacle || step.held; }
 
   /// Takes a step if nothing forbids it; moved_ says whether there was one.
-  EnvStep Try(const DriveCommand& command) {
+  EnvStep Try(const Velocity& command) {
     moved_ = false;
     if (command.speed_m_per_s == 0 && command.turn_rad_per_s == 0) return {};
     TetherEnv next = env_;

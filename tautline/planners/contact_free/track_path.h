@@ -32,16 +32,16 @@ const char* ToString(TrackEnd end);
 
 /// What a drive came to.
 struct TrackResult {
-  TrackEnd end = TrackEnd::kOffGoal;   ///< How it ended.
-  double driven_m = 0;                 ///< How far the robot's centre moved.
-  double time_s = 0;                   ///< Simulated.
-  int steps = 0;                       ///< Of dt.
-  int cable_obstacle_steps = 0;        ///< After which the cable touched an obstacle.
-  int cable_robot_steps = 0;           ///< After which the robot stood on its cable.
-  double reward = 0;                   ///< The sum of the environment's rewards.
-  std::vector<RobotPose> trace;        ///< The robot at the start and after each step.
-  std::vector<DriveCommand> commands;  ///< Of each step.
-  std::vector<Polyline> cables;        ///< With TrackPathOptions::cable_every: base first, first the one at the start.
+  TrackEnd end = TrackEnd::kOffGoal;  ///< How it ended.
+  double driven_m = 0;                ///< How far the robot's centre moved.
+  double time_s = 0;                  ///< Simulated.
+  int steps = 0;                      ///< Of dt.
+  int cable_obstacle_steps = 0;       ///< After which the cable touched an obstacle.
+  int cable_robot_steps = 0;          ///< After which the robot stood on its cable.
+  double reward = 0;                  ///< The sum of the environment's rewards.
+  std::vector<RobotPose> trace;       ///< The robot at the start and after each step.
+  std::vector<Velocity> commands;     ///< Of each step.
+  std::vector<Polyline> cables;       ///< With TrackPathOptions::cable_every: base first, first the one at the start.
 
   /// Whether the robot reached the goal.
   bool success() const { return end == TrackEnd::kAtGoal; }

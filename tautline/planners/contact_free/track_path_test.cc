@@ -28,7 +28,7 @@ Polyline DriveFreely(const Polyline& path, RobotPose pose, double lookahead_m, i
   Polyline driven{pose.at};
   for (int i = 0; i < steps; ++i) {
     pursuit.MoveOn(pose.at, 1);
-    const DriveCommand command = pursuit.Steer(pose, lookahead_m);
+    const Velocity command = pursuit.Steer(pose, lookahead_m);
     EXPECT_LE(std::abs(command.turn_rad_per_s), 2 + 1e-12);
     EXPECT_LE(command.speed_m_per_s, 1 + 1e-12);
     pose.at = pose.at + 0.1 * command.speed_m_per_s * Point{std::cos(pose.heading_rad), std::sin(pose.heading_rad)};
@@ -43,10 +43,10 @@ TEST(PurePursuit, SteersAlongTheArcToItsTarget) {
   EXPECT_EQ(straight.Steer({{0, 0}, 0}, 1).turn_rad_per_s, 0);
   EXPECT_EQ(straight.Steer({{0, 0}, 0}, 1).speed_m_per_s, 1);
   // The target (1, 0) lies 60 degrees to the right: the arc has curvature 2 sin(60 degrees) / 1.
-  const DriveCommand right = straight.Steer({{0, 0}, kPi / 3}, 1);
+  const Velocity right = straight.Steer({{0, 0}, kPi / 3}, 1);
   EXPECT_NEAR(right.turn_rad_per_s / right.speed_m_per_s, -std::sqrt(3.0), 1e-12);
   // 2 rad/s at most: it goes slower on tighter arcs.
-  const DriveCommand tight = straight.Steer({{0, 0}, kPi / 3}, 0.2);
+  const Velocity tight = straight.Steer({{0, 0}, kPi / 3}, 0.2);
   EXPECT_NEAR(tight.turn_rad_per_s, -2, 1e-12);
   EXPECT_NEAR(tight.turn_rad_per_s / tight.speed_m_per_s, -5 * std::sqrt(3.0), 1e-9);
 }

@@ -135,6 +135,14 @@ TEST(TrainingRun, WhatIsNoCheckpointIsRefused) {
         static_cast<char>(rng.Next());
     refused(changed);
   }
+  // The actions that were done, a byte each, are before the visits, the records and the best network.
+  std::string changed = bytes;
+  const std::size_t behind = 8 + 8 * run.visits().counts().size() + 8 + 72 * run.episodes().size() + 8 +
+                             72 * run.evaluations().size() + 8 + 4 * run.best().parameters().size() + 8;
+  char& last_action = changed[bytes.size() - behind - 1];
+  EXPECT_LT(last_action, 3);
+  last_action = 3;
+  EXPECT_TRUE(refused(changed));
 }
 
 }  // namespace
