@@ -15,8 +15,9 @@ def shared(path):
     found = []
     for line in names.stdout.splitlines():
         _, kind, name = line.split(maxsplit=2)
-        # What a sanitizer or the exception handling adds is data that is the same everywhere.
-        if kind in "WVu" and "EigenAvx" not in name and not name.startswith(("DW.ref.", "__asan", "__tsan", "__ubsan")):
+        # What a sanitizer, the exception handling or a type's description adds is data that is the same everywhere.
+        data = ("DW.ref.", "__asan", "__tsan", "__ubsan", "typeinfo ")
+        if kind in "WVu" and "EigenAvx" not in name and not name.startswith(data):
             found.append(name)
     return found
 

@@ -14,7 +14,8 @@ namespace tautline {
 namespace {
 
 OccupancyGrid RandomGrid(Rng& rng) {
-  OccupancyGrid grid = MakeGrid(rng.UniformInt(1, 12), rng.UniformInt(1, 12), CellState::kFree);
+  const int rows = rng.UniformInt(1, 12), columns = rng.UniformInt(1, 12);
+  OccupancyGrid grid = MakeGrid(columns, rows, CellState::kFree);
   const double density = rng.Uniform(0.1, 0.9);
   for (CellState& cell : grid.cells) {
     if (rng.Uniform() < density) cell = CellState::kBlocked;

@@ -353,7 +353,8 @@ TEST(BestTest, MirroredScenesHaveTheSameAreas) {
     ExpectAreas(doubled, AreasOf(list, 4));
     found += static_cast<std::int64_t>(list.boundaries.size());
   });
-  EXPECT_GE(found, ScaledTestCount(50));
+  // Of a few scenes, all may be among those left out.
+  EXPECT_GE(found, ScaledTestCount(50) - 3);
 }
 
 TEST(BestTest, WordsMultiplyToTheEmptyWordAndTheOrderIsByArea) {

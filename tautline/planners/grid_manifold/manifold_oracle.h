@@ -108,7 +108,8 @@ class ManifoldOracle {
 /// Free cells with single blocked ones, and now and then a bar; the base is free.
 inline CellGround RandomGround(Rng& rng, GridCell& base) {
   const bool wide = rng.Uniform() < 0.2;  // With tiles that no wall and no ray comes near.
-  OccupancyGrid grid = MakeGrid(rng.UniformInt(1, wide ? 48 : 22), rng.UniformInt(1, wide ? 48 : 22), CellState::kFree);
+  const int rows = rng.UniformInt(1, wide ? 48 : 22), columns = rng.UniformInt(1, wide ? 48 : 22);
+  OccupancyGrid grid = MakeGrid(columns, rows, CellState::kFree);
   const double share = rng.Uniform(0, wide ? 0.004 : 0.35);
   for (CellState& cell : grid.cells) cell = rng.Uniform() < share ? CellState::kBlocked : CellState::kFree;
   if (rng.Uniform() < 0.3) {
