@@ -36,7 +36,7 @@ Scene AnyScene(ByteSource& bytes) {
 }
 
 void CheckPlan(const Scene& scene) {
-  ContactFreeOptions options{.last_search = 300};
+  ContactFreeOptions options{.last_search = 300, .budget = 600};
   options.env.speed_m_per_s = 2 * *scene.robot.radius;
   options.env.goal_radius_m = *scene.robot.radius;
   const auto plan = PlanContactFree(scene, options);
