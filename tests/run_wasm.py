@@ -160,9 +160,10 @@ def member_questions(folder):
         commands = [[command, *options] for command, options in COMMANDS.items()]
         if "command" in content:
             words = 2 if content["command"][0] in ("workspace", "fleet") else 1
-            command = " ".join(content["command"][:words])
-            if command in COMMANDS:  # The module lacks some; docs/wasm.md names them.
-                commands.append([command, *content["command"][words:]])
+            command, options = " ".join(content["command"][:words]), content["command"][words:]
+            # The module lacks some; docs/wasm.md names them.
+            if command in COMMANDS and "--contact-free" not in options:
+                commands.append([command, *options])
         for want in content.get("expected", []):
             goal = "{},{}".format(*want["goal"])
             commands.append(["classes", "--to", goal, "--max-length", str(scene["tether"]["length"])])
