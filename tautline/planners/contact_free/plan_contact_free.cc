@@ -115,9 +115,10 @@ class Planning {
       Refuse("laid_cable_blocked", "the laid cable runs into an obstacle or a wall at " + TextOf(laid.departure->at));
       return true;
     }
-    if (Length(laid_) > length * (1 + kLengthTolerance)) {
-      Refuse("laid_cable_too_long",
-             "the laid cable takes " + Metres(Length(laid_)) + ", and there are " + Metres(length) + " of it");
+    // It ends at the robot's tail, a radius before its centre.
+    if (Length(laid_) - radius > length * (1 + kLengthTolerance)) {
+      Refuse("laid_cable_too_long", "the laid cable takes " + Metres(Length(laid_) - radius) +
+                                        " as far as the robot's tail, and there are " + Metres(length) + " of it");
       return true;
     }
     guide_.emplace(room_, *goal_, kGuideCell);

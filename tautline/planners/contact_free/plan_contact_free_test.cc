@@ -116,6 +116,16 @@ TEST(PlanContactFree, CountsWhatTheRobotSparesOfTheTether) {
   EXPECT_EQ(Plan(scene).status, ContactFreeStatus::kSolved);
 }
 
+TEST(PlanContactFree, GoesOnWhereAllCableIsOut) {
+  // The laid cable goes on to the robot's centre, half a metre beyond the cable's end.
+  const Polyline laid{{2, 6}, {4, 8}, {6, 6}};
+  const auto status = [&](double spare_m) {
+    return Plan(SceneOf({}, {.base = {2, 6}, .length = Length(laid) - 0.5 + spare_m, .laid = laid}, {5, 3})).status;
+  };
+  EXPECT_EQ(status(1e-6), ContactFreeStatus::kSolved);
+  EXPECT_EQ(status(-1e-6), ContactFreeStatus::kInfeasible);
+}
+
 TEST(PlanContactFree, StopsWhenTold) {
   const Scene scene = SceneOf({Rectangle(4, 0, 2, 7)}, {.base = {2, 5}, .length = 20}, {8.5, 4});
   const ContactFreeResult result = Plan(scene, {.watch = [](std::string_view, double) { return false; }});

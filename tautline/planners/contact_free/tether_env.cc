@@ -94,10 +94,10 @@ Expected<void> CheckTask(const ContactMap& map, const TetherTask& task, const Te
   if (!finite || (task.heading_rad && !std::isfinite(*task.heading_rad))) {
     return InvalidInput("coordinates and heading must be finite");
   }
-  // The robot's own radius is between base and tail when it stands on its base, and twice where it looks back along
-  // its cable.
+  // The cable ends at the tail, while what is laid ends at the robot's centre: the difference is a radius less where it
+  // looks away from its cable, as behind a motion that took all cable, and one more where it looks back along it.
   const Point tail = TailAt({task.laid.back(), HeadingOf(task)}, options.robot_radius_m);
-  const double least = std::max(Length(task.laid), Length(LaidToTail(task.laid, tail, options.robot_radius_m)));
+  const double least = Length(LaidToTail(task.laid, tail, options.robot_radius_m));
   if (!std::isfinite(task.cable_length_m) || task.cable_length_m * (1 + kLengthTolerance) < least) {
     return InvalidInput("the cable must reach from the base to the robot's tail: make it at least " +
                         std::to_string(least) + " m long");

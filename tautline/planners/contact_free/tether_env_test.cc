@@ -191,10 +191,10 @@ TEST(TetherEnv, TheCableNeedsToReachTheTailAndNoMore) {
         .laid = {{2, 6}, {5, 6}}, .heading_rad = heading_rad, .cable_length_m = length_m, .goal = {9, 6}};
     return TetherEnv::Create(*room.map, task, {}).has_value();
   };
-  EXPECT_TRUE(can(0, 3));
+  EXPECT_TRUE(can(0, 2.5));
   // As long up to rounding, as sums of many segments are.
-  EXPECT_TRUE(can(0, 3 * (1 - 1e-12)));
-  EXPECT_FALSE(can(0, 2.999));
+  EXPECT_TRUE(can(0, 2.5 * (1 - 1e-12)));
+  EXPECT_FALSE(can(0, 2.499));
   // Looking back, the tail is half a metre beyond the robot's centre.
   EXPECT_FALSE(can(std::numbers::pi, 3.4));
   EXPECT_TRUE(can(std::numbers::pi, 3.5));
