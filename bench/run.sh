@@ -8,7 +8,7 @@ results=$build/bench/results
 
 rm -rf "$results"
 mkdir -p "$results"
-for program in triangulation visibility funnel cdt2025 real_maps growth workspace fleet manifold cable; do
+for program in triangulation visibility funnel cdt2025 real_maps growth workspace fleet manifold cable learning; do
   "$build/bench/${program}_bench" --benchmark_filter="$filter" --benchmark_counters_tabular=false \
     --benchmark_out="$results/$program.json" --benchmark_out_format=json
 done

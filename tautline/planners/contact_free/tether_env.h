@@ -98,8 +98,8 @@ using Observation = std::array<float, 3>;
 /// One robot on one task. Deterministic; a copy goes on independently and shares the map. [Shimada2024, Sec. 5, 6.1]
 class TetherEnv {
  public:
-  /// Keeps a reference to `map`. InvalidInput where a number makes no sense, the cable does not reach the tail or
-  /// than its way to the robot's tail, or the robot or the goal stands in an obstacle.
+  /// Keeps a reference to `map`. InvalidInput where a number makes no sense, the cable does not reach the robot's tail,
+  /// or the robot or the goal stands in an obstacle.
   static Expected<TetherEnv> Create(const ContactMap& map, const TetherTask& task, const TetherEnvOptions& options);
 
   /// Starts an episode. The seed moves the start where the options say so; places in obstacles are drawn again.
